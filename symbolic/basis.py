@@ -1,0 +1,203 @@
+"""A basis of curves: the noun that every spline family returns."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Any, Literal
+
+import sympy as sp
+from sympy.polys.matrices import DomainMatrix
+
+from .derivation import Derivation
+from .errors import BadValue, shown
+from .exact import exact_points
+from .exact_matrix import product, to_matrix
+
+PARAMETER = sp.Symbol("t")
+
+
+@dataclass(frozen=True)
+class Geometry:
+    """One entry of a geometry vector: its symbol, and whether it is a point or a vector.
+
+    A point moves along when the whole curve is translated; a vector (a tangent, say) does not.
+    """
+
+    symbol: sp.Symbol
+    kind: Literal["point", "vector"]
+
+    @property
+    def name(self) -> str:
+        """The symbol's name, such as P0 or T1."""
+        return str(self.symbol.name)
+
+    def __str__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True, eq=False, repr=False)
+class Basis:
+    r"""Curves of one degree in terms of a geometry vector, c(t) = [t^n ... t 1] M G.
+
+    Families (`bezier`, `hermite`, ...) and `basis_from` return one.
+
+    Attributes
+    ----------
+    name : str
+    geometry : tuple of Geometry
+        The entries of G, in order.
+
+    Examples
+    --------
+    >>> from symbolic import bezier, hermite
+    >>> hermite().functions
+    (2*t**3 - 3*t**2 + 1, -2*t**3 + 3*t**2, t**3 - 2*t**2 + t, t**3 - t**2)
+    >>> hermite().curve([[0, 0], [1, 0], [0, 3], [0, 3]])
+    (-2*t**3 + 3*t**2, 6*t**3 - 9*t**2 + 3*t)
+    """
+
+    name: str
+    geometry: tuple[Geometry, ...]
+    coefficients: DomainMatrix = field(metadata={"layout": "TMG, descending powers"})
+    derive: Callable[[Basis], Derivation]
+
+    @property
+    def parameter(self) -> sp.Symbol:
+        """The parameter t, a symbol without assumptions."""
+        return PARAMETER
+
+    @property
+    def degree(self) -> int:
+        """The degree n of the curves."""
+        return int(self.coefficients.shape[0]) - 1
+
+    @cached_property
+    def matrix(self) -> sp.ImmutableMatrix:
+        """The basis matrix M of c(t) = [t^n ... t 1] M G, exact, shape (n + 1, len(G))."""
+        return to_matrix(self.coefficients)
+
+    @cached_property
+    def functions(self) -> tuple[sp.Expr, ...]:
+        """The blending functions, polynomials in t, aligned with G."""
+        powers = self.powers
+        columns = range(self.matrix.cols)
+        return tuple(
+            sp.Add(*(m * p for m, p in zip(self.matrix.col(j), powers, strict=True)))
+            for j in columns
+        )
+
+    @property
+    def powers(self) -> tuple[sp.Expr, ...]:
+        """The row [t^n ... t 1]."""
+        return tuple(PARAMETER**k for k in range(self.degree, -1, -1))
+
+    @cached_property
+    def derivation(self) -> Derivation:
+        """How the matrix comes about, step by step; `.verify()` checks every step."""
+        return self.derive(self)
+
+    def matrix_as(
+        self,
+        powers: Literal["descending", "ascending"] = "descending",
+        layout: Literal["TMG", "GMT"] = "TMG",
+    ) -> sp.ImmutableMatrix:
+        """Return the basis matrix as another book prints it.
+
+        Parameters
+        ----------
+        powers : "descending" or "ascending"
+            Whether T runs over t^n ... t 1 or 1 t ... t^n.
+        layout : "TMG" or "GMT"
+            c = T M G with T a row and G a column, or c = G M T with G a row and T a column.
+
+        Examples
+        --------
+        >>> from symbolic import bezier
+        >>> bezier(1).matrix_as(powers="ascending")
+        Matrix([
+        [ 1, 0],
+        [-1, 1]])
+        """
+        _one_of("powers", powers, ("descending", "ascending"))
+        _one_of("layout", layout, ("TMG", "GMT"))
+        matrix = self.matrix if powers == "descending" else self.matrix[::-1, :]
+        return matrix if layout == "TMG" else matrix.T
+
+    def to(self, other: Basis) -> sp.ImmutableMatrix:
+        """Return the conversion matrix C: geometry of `other` = C * geometry of `self`.
+
+        C = M_other^-1 M_self, so that both describe the same curve.
+
+        Raises
+        ------
+        BadValue
+            If the degrees differ, or `other` cannot represent every curve of its degree.
+
+        Examples
+        --------
+        >>> from symbolic import bezier, hermite
+        >>> bezier(3).to(hermite())
+        Matrix([
+        [ 1, 0,  0, 0],
+        [ 0, 0,  0, 1],
+        [-3, 3,  0, 0],
+        [ 0, 0, -3, 3]])
+        """
+        if self.degree != other.degree:
+            raise BadValue(
+                f"another basis of degree {self.degree}, as {self.name}",
+                f"{other.name}",
+                "Convert between bases of one degree.",
+            )
+        rows, columns = other.coefficients.shape
+        if rows != columns or not other.coefficients.det():
+            raise BadValue(
+                "a basis whose geometry determines every curve of its degree",
+                f"{other.name} with a singular matrix",
+                "Convert to Bezier or another complete basis.",
+            )
+        return to_matrix(product(other.coefficients.inv(), self.coefficients))
+
+    def curve(self, points: Any) -> tuple[sp.Expr, ...]:
+        """Return the exact curve for a geometry vector, one polynomial in t per coordinate.
+
+        Parameters
+        ----------
+        points : rows, shape (len(geometry), dim)
+            Points and vectors in the order of `geometry`; see `exact_points` for what is read.
+
+        Raises
+        ------
+        BadValue
+            If the number of rows is not that of the geometry vector.
+        """
+        rows = exact_points(points)
+        if len(rows) != len(self.geometry):
+            raise BadValue(
+                f"{len(self.geometry)} rows ({', '.join(map(str, self.geometry))})",
+                f"{len(rows)}",
+                f"Give one row for every entry of the geometry vector of {self.name}.",
+            )
+        coefficients = self.matrix * sp.ImmutableMatrix(rows)
+        return tuple(
+            sp.Add(*(c * p for c, p in zip(coefficients.col(j), self.powers, strict=True)))
+            for j in range(coefficients.cols)
+        )
+
+    def __repr__(self) -> str:
+        return f"<{self.name}: degree {self.degree}, G = ({', '.join(map(str, self.geometry))})>"
+
+    def _repr_latex_(self) -> str:
+        column = sp.ImmutableMatrix([entry.symbol for entry in self.geometry])
+        row = sp.ImmutableMatrix([self.powers])
+        parts = " ".join(sp.latex(part) for part in (row, self.matrix, column))
+        return rf"$\displaystyle \mathbf c(t) = {parts}$"
+
+
+def _one_of(name: str, value: Any, choices: tuple[str, ...]) -> None:
+    if value not in choices:
+        raise BadValue(
+            f"{name} to be {' or '.join(map(repr, choices))}", shown(value), "Choose one of these."
+        )

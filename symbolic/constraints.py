@@ -1,0 +1,72 @@
+"""What a curve can be asked to satisfy: values and derivatives at exact parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+
+from .errors import BadValue, shown
+from .exact import exact
+
+
+@dataclass(frozen=True)
+class Condition:
+    """The derivative of some order of a curve c at one parameter; order 0 is the value."""
+
+    at: sp.Expr
+    order: int
+
+    def row(self, degree: int) -> list[sp.Expr]:
+        """Return the condition as a row over the coefficients of t^n, ..., t, 1.
+
+        The k-th power contributes k!/(k-r)! a^(k-r) to the r-th derivative at a.
+
+        >>> value(2).row(2), derivative(2).row(2)
+        ([4, 2, 1], [4, 1, 0])
+        """
+        powers = range(degree, -1, -1)
+        return [
+            sp.ff(k, self.order) * self.at ** (k - self.order) if k >= self.order else sp.S.Zero
+            for k in powers
+        ]
+
+    def of(self, expression: sp.Expr, parameter: sp.Symbol) -> sp.Expr:
+        """Return the condition applied to an expression, unevaluated, so that it can be read."""
+        inner = sp.Derivative(expression, (parameter, self.order)) if self.order else expression
+        return sp.Subs(inner, parameter, self.at)
+
+    def on(self, polynomial: sp.Poly) -> sp.Expr:
+        """Return the condition applied to a polynomial, by differentiation.
+
+        >>> derivative(2).on(sp.Poly(sp.Symbol("t")**2))
+        4
+        """
+        return polynomial.diff((polynomial.gen, self.order)).eval(self.at)
+
+    def __str__(self) -> str:
+        primes = "'" * self.order if self.order < 4 else f"^({self.order})"
+        return f"c{primes}({self.at})"
+
+
+def value(at: Any) -> Condition:
+    """Return the condition "the curve's point at this parameter".
+
+    >>> print(value(0))
+    c(0)
+    """
+    return Condition(exact(at), 0)
+
+
+def derivative(at: Any, order: int = 1) -> Condition:
+    """Return the condition "the curve's derivative at this parameter".
+
+    >>> print(derivative(1, order=2))
+    c''(1)
+    """
+    if isinstance(order, bool) or not isinstance(order, int) or order < 1:
+        raise BadValue(
+            "a derivative of order 1, 2, 3, ...", shown(order), "For order 0 use value(at)."
+        )
+    return Condition(exact(at), order)

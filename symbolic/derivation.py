@@ -1,0 +1,110 @@
+"""Derivations: equalities with reasons, every one of them checked by machine."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import sympy as sp
+
+from .proof import prove
+from .verdict import Proved, Refuted, Verdict
+
+_MARKS = {Proved: r"\checkmark", Refuted: r"\times"}
+
+
+@dataclass(frozen=True)
+class Step:
+    r"""One line of a derivation: left = right, because of something.
+
+    The two sides are kept apart, since SymPy's `Eq` evaluates itself away.
+
+    Examples
+    --------
+    >>> t = sp.Symbol("t")
+    >>> step = Step((1 - t) + t, sp.Integer(1), "the weights of a lerp sum to one")
+    >>> step.verify()
+    Proved: equal as polynomials in no symbols with rational coefficients.
+    >>> print(Step((1 - t)*t, t - t**2, "expand"))
+    t*(1 - t) = -t**2 + t, because expand
+    """
+
+    left: Any
+    right: Any
+    because: str
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """The verdict on this step, computed once."""
+        return prove(self.left, self.right)
+
+    def verify(self) -> Verdict:
+        """Return the machine's verdict on left = right."""
+        return self.verdict
+
+    def __str__(self) -> str:
+        return f"{_linear(self.left)} = {_linear(self.right)}, because {self.because}"
+
+    def _repr_latex_(self) -> str:
+        return rf"$\displaystyle {self.latex()}$"
+
+    def latex(self) -> str:
+        """Return the equation and a tick (or a cross, or a question mark) as LaTeX."""
+        mark = _MARKS.get(type(self.verdict), "?")
+        return rf"{sp.latex(self.left)} = {sp.latex(self.right)} \quad {mark}"
+
+
+@dataclass(frozen=True)
+class Derivation:
+    """A titled sequence of steps; prints as LaTeX in a notebook and as plain lines elsewhere.
+
+    Examples
+    --------
+    >>> t = sp.Symbol("t")
+    >>> short = Derivation("Expanding", (Step((1 - t)*t, t - t**2, "expand"),))
+    >>> short.is_proved
+    True
+    >>> print(short)
+    Expanding
+    1. t*(1 - t) = -t**2 + t, because expand
+    """
+
+    title: str
+    steps: tuple[Step, ...]
+
+    def verify(self) -> list[Verdict]:
+        """Return the verdict on every step."""
+        return [step.verify() for step in self.steps]
+
+    @property
+    def is_proved(self) -> bool:
+        """Whether every single step is proved."""
+        return all(self.verify())
+
+    def __str__(self) -> str:
+        lines = (f"{i}. {step}" for i, step in enumerate(self.steps, 1))
+        return "\n".join((self.title, *lines))
+
+    def _repr_latex_(self) -> str:
+        lines = [rf"&\textbf{{{_escaped(self.title)}}}"]
+        for i, step in enumerate(self.steps, 1):
+            lines.append(rf"&\text{{{i}. {_escaped(step.because)}:}}")
+            lines.append(rf"&\qquad {step.latex()}")
+        rows = r" \\[4pt] ".join(lines)
+        return rf"$\displaystyle \begin{{aligned}} {rows} \end{{aligned}}$"
+
+
+def _linear(side: Any) -> str:
+    """One line of text for a screen reader: matrices row by row in brackets."""
+    if isinstance(side, sp.MatMul):
+        return " * ".join(_linear(factor) for factor in side.args)
+    if isinstance(side, sp.MatrixBase):
+        return str(side.tolist())
+    return str(side)
+
+
+def _escaped(text: str) -> str:
+    special = {"\\": r"\backslash ", "$": r"\$", "%": r"\%", "&": r"\&", "#": r"\#", "_": r"\_"}
+    special |= {"{": r"\{", "}": r"\}", "^": r"\wedge ", "~": r"\sim "}
+    return "".join(special.get(character, character) for character in text)

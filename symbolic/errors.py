@@ -1,0 +1,45 @@
+"""Every error this package raises: what was expected, what came, and how to mend it."""
+
+from __future__ import annotations
+
+
+class _Explained(Exception):
+    """An error made of three facts, so that none of them can be forgotten."""
+
+    def __init__(self, expected: str, received: str, remedy: str) -> None:
+        self.expected, self.received, self.remedy = expected, received, remedy
+        super().__init__(f"Expected {expected}, received {received}. {remedy}")
+
+    def __reduce__(self) -> tuple[type, tuple[str, str, str]]:
+        # Errors cross process borders (kernels, workers); the message alone would not rebuild.
+        return type(self), (self.expected, self.received, self.remedy)
+
+
+class BadValue(_Explained, ValueError):
+    """A value of the right type that cannot be used."""
+
+
+class BadType(_Explained, TypeError):
+    """A value of a type that cannot be used."""
+
+
+class NotExact(BadType):
+    """A float where exact mathematics needs a rational number."""
+
+
+class OutsideDomain(BadValue):
+    """A parameter outside the interval on which a curve is defined."""
+
+
+class UnsolvableConstraints(BadValue):
+    """Constraints that contradict each other or do not determine a curve."""
+
+
+def shown(value: object, limit: int = 80) -> str:
+    """Return a short one-line picture of any value, for error messages.
+
+    >>> shown("a" * 200, limit=12)
+    "'aaaaaaaa..."
+    """
+    text = " ".join(repr(value).split())
+    return text if len(text) <= limit else text[: limit - 3] + "..."

@@ -1,0 +1,126 @@
+"""Reading numbers and points exactly: rationals stay rationals, floats and text are refused."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from decimal import Decimal
+from fractions import Fraction
+from numbers import Integral, Rational, Real
+from typing import Any
+
+import sympy as sp
+
+from .dag import postorder
+from .errors import BadType, BadValue, NotExact, shown
+
+Point = tuple[sp.Expr, ...]
+_NOT_FINITE = frozenset((sp.nan, sp.oo, -sp.oo, sp.zoo))
+
+
+def exact(value: Any) -> sp.Expr:
+    """Return a number or SymPy expression exactly as a SymPy expression.
+
+    Parameters
+    ----------
+    value : int, Fraction, finite Decimal, NumPy integer, or SymPy expression without floats
+
+    Raises
+    ------
+    NotExact
+        For floats, with the fraction that was probably meant.
+    BadType, BadValue
+        For text (it is never parsed), other types, and for NaN or infinity.
+
+    Examples
+    --------
+    >>> exact(Fraction(1, 3)), exact(Decimal("0.25"))
+    (1/3, 1/4)
+    """
+    if isinstance(value, sp.Expr):
+        return _finite_and_exact(value)
+    if hasattr(value, "item") and getattr(value, "shape", None) == ():
+        value = value.item()  # zero-dimensional NumPy arrays and NumPy scalars
+    if isinstance(value, bool | str | bytes):
+        raise BadType(
+            "a number or a SymPy expression",
+            shown(value),
+            "Text is never parsed: write Rational(1, 10), or a Symbol.",
+        )
+    if isinstance(value, Integral):
+        return sp.Integer(int(value))
+    if isinstance(value, Rational):
+        return sp.Rational(int(value.numerator), int(value.denominator))
+    if isinstance(value, Decimal) and value.is_finite():
+        return exact(Fraction(value))
+    if isinstance(value, Real | Decimal):
+        _refuse_float(float(value))
+    raise BadType("a number or a SymPy expression", shown(value), "Use int, Fraction or Rational.")
+
+
+def exact_points(points: Any) -> tuple[Point, ...]:
+    """Return control points as a tuple of rows of exact coordinates, shape (n, dim).
+
+    Lists, tuples, integer arrays and SymPy matrices are accepted; every row is one point.
+
+    Raises
+    ------
+    BadValue
+        For no points, ragged rows, or a flat list of numbers.
+    BadType, NotExact
+        As in `exact`.
+
+    Examples
+    --------
+    >>> exact_points([[0, 1], (Fraction(1, 2), 2)])
+    ((0, 1), (1/2, 2))
+    """
+    rows = [_row(row) for row in _rows(points)]
+    if not rows or not rows[0]:
+        raise BadValue("at least one control point", "none", "Give rows like [[0, 0], [1, 2]].")
+    sizes = {len(row) for row in rows}
+    if len(sizes) > 1:
+        raise BadValue(
+            "control points of one dimension",
+            f"rows with {' and '.join(map(str, sorted(sizes)))} coordinates",
+            "Give every point the same number of coordinates.",
+        )
+    return tuple(rows)
+
+
+def _finite_and_exact(value: sp.Expr) -> sp.Expr:
+    for node in postorder([value]):
+        if node.is_Float:
+            _refuse_float(float(node))
+        if node in _NOT_FINITE:
+            raise BadValue("a finite number", shown(value), "Leave such values out.")
+    return value
+
+
+def _refuse_float(value: float) -> None:
+    if value != value or value in (float("inf"), float("-inf")):
+        raise BadValue("a finite number", shown(value), "Leave such values out.")
+    meant = Fraction(repr(value))
+    hint = f"Rational({meant.numerator}, {meant.denominator})"
+    raise NotExact(
+        "an exact number", f"the float {value!r}", f'Write {hint} or Fraction("{value!r}").'
+    )
+
+
+def _rows(points: Any) -> list[Any]:
+    if isinstance(points, str | bytes | dict) or not isinstance(points, Iterable):
+        raise BadType(
+            "control points as rows", shown(points), "Give rows like [[0, 0], [1, 2], [3, 0]]."
+        )
+    return points.tolist() if isinstance(points, sp.MatrixBase) else list(points)
+
+
+def _row(row: Any) -> Point:
+    if isinstance(row, str | bytes):
+        exact(row)
+    if not isinstance(row, Iterable):
+        raise BadValue(
+            "every control point as a row of coordinates",
+            f"the bare coordinate {shown(row)}",
+            "Write [[0], [1], [3]] for points on a line, [[0, 0], [1, 2]] in the plane.",
+        )
+    return tuple(exact(coordinate) for coordinate in row)
