@@ -169,5 +169,3 @@ def _shape_in_words(size: tuple[int, ...]) -> str:
     if not size:
         return "one expression"
     return f"{size[0]} entries" if len(size) == 1 else "x".join(map(str, size))
-
-

@@ -1,0 +1,77 @@
+"""Reading control points as float64 arrays, with the same care as `symbolic` reads them exactly."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from symbolic.errors import BadType, BadValue, shown
+
+
+def float_points(points: Any) -> np.ndarray:
+    """Return control points as a float64 array of rows, shape (n, dim).
+
+    Lists, tuples, Fractions, SymPy numbers and arrays are accepted.
+
+    Raises
+    ------
+    BadValue
+        For no points, ragged rows, a flat list of numbers, NaN or infinity.
+    BadType
+        For text, complex numbers, and expressions that are not numbers.
+
+    Examples
+    --------
+    >>> from fractions import Fraction
+    >>> float_points([(0, 1), (Fraction(1, 2), 2)])
+    array([[0. , 1. ],
+           [0.5, 2. ]])
+    """
+    array = _array(points)
+    if array.ndim != 2:
+        raise BadValue(
+            "control points as rows, shape (n, dim)",
+            f"shape {array.shape}",
+            "Write [[0], [1], [3]] for points on a line, [[0, 0], [1, 2]] in the plane.",
+        )
+    if not array.size:
+        raise BadValue("at least one control point", "none", "Give rows like [[0, 0], [1, 2]].")
+    if not np.isfinite(array).all():
+        row, column = np.argwhere(~np.isfinite(array))[0]
+        raise BadValue(
+            "finite coordinates",
+            f"{array[row, column]} in point {row}, coordinate {column}",
+            "Leave such points out.",
+        )
+    return array
+
+
+def _array(points: Any) -> np.ndarray:
+    if isinstance(points, np.ndarray) and points.dtype.kind in "iuf":
+        return points.astype(float)
+    if hasattr(points, "tolist"):
+        points = points.tolist()
+    try:
+        entries = np.array(points, dtype=object)
+    except ValueError:
+        raise _ragged(points) from None
+    flat = entries.ravel()
+    if any(isinstance(entry, str | bytes | bool) for entry in flat):
+        raise BadType("numbers as coordinates", shown(points), "Text is never parsed.")
+    if any(isinstance(entry, list | tuple) for entry in flat):
+        raise _ragged(points)
+    try:
+        return entries.astype(float)
+    except (TypeError, ValueError):
+        raise BadType(
+            "real numbers as coordinates", shown(points), "Substitute values for symbols first."
+        ) from None
+
+
+def _ragged(points: Any) -> BadValue:
+    return BadValue(
+        "control points of one dimension",
+        shown(points),
+        "Give every point the same number of coordinates.",
+    )
