@@ -5,6 +5,7 @@ Every name a user needs is listed here; points are rows, results are exact.
 
 from .basis import Basis, Geometry
 from .bezier import bernstein, bezier
+from .check import check
 from .constraints import Condition, derivative, value
 from .de_casteljau import de_casteljau, subdivide
 from .derivation import Derivation, Step
@@ -36,6 +37,7 @@ __all__ = [
     "basis_from",
     "bernstein",
     "bezier",
+    "check",
     "de_casteljau",
     "derivative",
     "hermite",

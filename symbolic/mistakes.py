@@ -1,0 +1,71 @@
+"""Mistakes that can be made in any exercise, derived from the right answer."""
+
+from __future__ import annotations
+
+from itertools import permutations
+from typing import Any
+
+import sympy as sp
+
+from .basis import PARAMETER
+from .proof import entries, shape
+
+
+def typical_mistakes(expected: Any) -> dict[str, Any]:
+    """Return the wrong answers that typical mistakes lead to, by the sentence that names them.
+
+    Wrong answers that happen to be right (a symmetric matrix transposed) are left out.
+
+    >>> t = sp.Symbol("t")
+    >>> typical_mistakes((1 - t)**2)["The sign is reversed."]
+    -(1 - t)**2
+    """
+    size = shape(expected)
+    if len(size) == 2:
+        matrix = sp.ImmutableMatrix(*size, [entry for _, entry in entries(expected)])
+        found = _of_matrices(matrix) if size[0] == size[1] else _of_points(matrix)
+        found["All signs are reversed."] = -matrix
+    elif size == ():
+        expression = next(entries(expected))[1]
+        found = _of_expressions(expression)
+        matrix = expression
+    else:
+        return {}
+    return {sentence: wrong for sentence, wrong in found.items() if wrong != matrix}
+
+
+def _of_matrices(matrix: sp.ImmutableMatrix) -> dict[str, Any]:
+    found = {
+        "This is the transpose: rows belong to powers of t, columns to entries of the geometry "
+        "vector.": matrix.T,
+        "Your rows run over the powers of t in the other order: the first row belongs to the "
+        "highest power.": matrix[::-1, :],
+        "Your columns take the geometry vector in reverse order.": matrix[:, ::-1],
+        "This is the transpose, and the powers of t run in the other order.": matrix[::-1, :].T,
+    }
+    if matrix.rows <= 5:
+        for order in list(permutations(range(matrix.cols)))[1:]:
+            places = ", ".join(str(i + 1) for i in order)
+            found.setdefault(
+                f"The columns are right but stand in another order ({places}): compare the order "
+                "of the geometry vector.", matrix[:, list(order)],
+            )  # fmt: skip
+    if not matrix.free_symbols and matrix.det() != 0:
+        found["This is the inverse of the matrix asked for."] = matrix.inv()
+    return found
+
+
+def _of_points(points: sp.ImmutableMatrix) -> dict[str, Any]:
+    found = {"These are the right points in reverse order.": points[::-1, :]}
+    if points.cols == 2:
+        found["The coordinates are exchanged: x comes first."] = points[:, ::-1]
+    return found
+
+
+def _of_expressions(expression: sp.Expr) -> dict[str, Any]:
+    found = {"The sign is reversed.": -expression}
+    if PARAMETER in expression.free_symbols:
+        found["t and 1 - t are exchanged: at t = 0 you are at the wrong end."] = expression.subs(
+            PARAMETER, 1 - PARAMETER
+        )
+    return found

@@ -1,0 +1,6 @@
+"""Explorers: functions that build a scene and return it as a live figure, one per topic."""
+
+from .de_casteljau import de_casteljau
+from .subdivision import subdivision
+
+__all__ = ["de_casteljau", "subdivision"]

@@ -1,0 +1,30 @@
+"""Control points as explorers take them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from numeric import float_points
+from symbolic.errors import BadValue
+
+HIGHEST_DEGREE = 8  # nine points still fit a screen, and nine colours can be told apart
+
+
+def control_points(points: Any, highest_degree: int = HIGHEST_DEGREE) -> np.ndarray:
+    """Return two to nine control points in the plane, shape (n + 1, 2).
+
+    Raises
+    ------
+    BadValue, BadType
+        As `float_points`, for points not in the plane, and for too few or too many.
+    """
+    rows = float_points(points)
+    if rows.shape[1] != 2 or not 2 <= len(rows) <= highest_degree + 1:
+        raise BadValue(
+            f"2 to {highest_degree + 1} control points in the plane, shape (n + 1, 2)",
+            f"shape {rows.shape}",
+            "Leave some out, or split the curve into parts.",
+        )
+    return rows

@@ -1,0 +1,121 @@
+"""A scene drawn by matplotlib: posters, print, and slides."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from numeric import Tape
+
+from .extent import evaluate
+from .palette import colour
+
+_BACKGROUND = {"light": "#ffffff", "dark": "#111418"}
+
+
+def draw(scene: dict[str, Any], state: dict[str, Any], step: int, theme: str = "light") -> Any:
+    """Return a matplotlib Figure of a scene in a given state.
+
+    No pyplot: the figure belongs to the caller, and no back end is touched.
+    """
+    from matplotlib.figure import Figure
+
+    outputs = evaluate(scene, state, Tape.from_json(scene["tape"]))
+    views = scene["views"]
+    picture = Figure(figsize=(6.4 * len(views), 4.4), layout="constrained")
+    picture.set_facecolor(_BACKGROUND[theme])
+    axes = picture.subplots(1, len(views), squeeze=False)[0]
+    for number, (axis, view) in enumerate(zip(axes, views, strict=True)):
+        _frame(axis, view, theme)
+        for order, mark in enumerate(scene["marks"]):
+            visible = mark.get("from", 0) <= step <= (mark.get("until") or np.inf)
+            if mark.get("view") == number and visible:
+                _KINDS[mark["kind"]](axis, mark, outputs[mark["output"]], theme, order)
+        for group in scene["points"]:
+            if group["view"] == number:
+                _handles(axis, group, np.asarray(state[group["name"]]), theme)
+    if scene["title"]:
+        picture.suptitle(scene["title"], color=colour("curve", theme), fontsize=12)
+    return picture
+
+
+def _frame(axis: Any, view: dict[str, Any], theme: str) -> None:
+    axis.set(xlim=view["x"], ylim=view["y"], facecolor=_BACKGROUND[theme])
+    if view["equal"]:
+        axis.set_aspect("equal", adjustable="box")
+    axis.grid(color=colour("muted", theme), linewidth=0.5)
+    axis.tick_params(colors=colour("construction", theme), labelsize=8, length=0)
+    for spine in axis.spines.values():
+        spine.set_visible(False)
+    if view["title"]:
+        axis.set_title(_math(view["title"]), color=colour("curve", theme), fontsize=10)
+
+
+def _path(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order: int) -> None:
+    from matplotlib.patches import PathPatch
+    from matplotlib.path import Path
+
+    rows = output if mark["axis"] is None else np.swapaxes(output, 0, 1)
+    rows = rows.reshape(len(rows), -1, 2)  # pieces of one point, for a polyline
+    ends = np.cumsum(mark["pieces"] or [len(rows)])
+    subpaths = [part.reshape(-1, 2) for part in np.split(rows, ends[:-1])]
+    path = Path.make_compound_path(*(_subpath(Path, p, mark["closed"]) for p in subpaths))
+    line = colour(mark["color"], theme)
+    axis.add_patch(
+        PathPatch(
+            path, edgecolor=line, facecolor=line + "22" if mark["fill"] else "none",
+            linewidth=mark["width"] * 0.75, linestyle="--" if mark["dashed"] else "-",
+            capstyle="round", joinstyle="round", zorder=2 + order / 1000,
+        )
+    )  # fmt: skip
+
+
+def _subpath(path: Any, points: np.ndarray, closed: bool) -> Any:
+    if closed:
+        points = np.concatenate([points, points[:1]])
+    return path(points, closed=closed)
+
+
+def _dots(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order: int) -> None:
+    colors = [colour(c, theme) for c in mark["colors"]]
+    axis.scatter(*output.T, s=(mark["radius"] * 1.5) ** 2, c=colors, zorder=4 + order / 1000)
+    for label, point, text in zip(mark["labels"] or (), output, colors, strict=False):
+        _label(axis, label, point, text)
+
+
+def _arrows(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order: int) -> None:
+    for start, end in output:
+        axis.annotate(
+            "", xy=end, xytext=start, zorder=3,
+            arrowprops={"arrowstyle": "-|>", "color": colour(mark["color"], theme),
+                        "linewidth": mark["width"] * 0.75, "shrinkA": 0, "shrinkB": 0},
+        )  # fmt: skip
+
+
+def _handles(axis: Any, group: dict[str, Any], points: np.ndarray, theme: str) -> None:
+    """Draw movable points as squares, so that shape alone tells them from fixed ones."""
+    colors = [colour(c, theme) for c in group["colors"]]
+    axis.scatter(*points.T, s=64, marker="s", facecolors=_BACKGROUND[theme], edgecolors=colors,
+                 linewidths=2, zorder=6)  # fmt: skip
+    for label, point, text in zip(group["labels"], points, colors, strict=True):
+        _label(axis, label, point, text)
+
+
+def _label(axis: Any, label: str, point: np.ndarray, color: str) -> None:
+    axis.annotate(_math(label), point, xytext=(6, 7), textcoords="offset points", color=color,
+                  fontsize=10, zorder=7)  # fmt: skip
+
+
+def _math(label: str) -> str:
+    """Turn the labels' notation into mathtext: b_0^1 to $b_0^1$, plain words stay.
+
+    >>> _math("b_0^1"), _math("left part")
+    ('$b_0^1$', 'left part')
+    """
+    return f"${label}$" if re.search(r"[_^]", label) else label
+
+
+_KINDS: dict[str, Callable[..., None]] = {"path": _path, "dots": _dots, "arrows": _arrows}
