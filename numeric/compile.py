@@ -77,10 +77,14 @@ class Program:
             return self._put(("neg", product)) if _is_negative_term(expression) else product
         if expression.is_Pow:
             return self._power(expression, expression.exp)
+        if expression.func is sp.atan:  # SymPy makes it of atan2 where the second one is positive
+            return self._put(("atan2", self._of[id(expression.args[0])], self._constant(sp.S.One)))
         name = _FUNCTIONS.get(expression.func)
+        if name is None and expression.is_number:
+            return self._constant(expression)
         if name is None:
             raise BadValue(
-                "an expression in + - * / ** sqrt sin cos tan exp log Abs atan2 Min Max",
+                "an expression in + - * / ** sqrt sin cos tan exp log Abs atan atan2 Min Max",
                 f"{expression.func.__name__} in {shown(expression)}",
                 "Rewrite it with these, or evaluate it first.",
             )

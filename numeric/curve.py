@@ -154,7 +154,7 @@ class Curve:
             row[:] = evaluate(
                 [c[0] if segment is None else c[segment] for c in coefficients], local
             )
-        return out.T.reshape((*t.shape, -1))
+        return out.T.reshape((*t.shape, len(out)))
 
     def derivative(self) -> Curve:
         """Return the derivative by the curve's parameter, a curve of degree n - 1 (hodograph).
@@ -264,11 +264,16 @@ def _breaks(domain: Any, segments: int) -> np.ndarray:
 def _parameters(t: Any) -> np.ndarray:
     try:
         array = np.asarray(t)
-        if array.dtype.kind in "Oiuf":
+        if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and not _has_text(array)):
             return array.astype(float)
     except (TypeError, ValueError):
         pass
     raise BadType("real numbers as parameters", shown(t), "Give a number or an array of numbers.")
+
+
+def _has_text(array: np.ndarray) -> bool:
+    """Tell whether NumPy would turn something into a number that is none."""
+    return any(entry is None or isinstance(entry, str | bytes) for entry in array.flat)
 
 
 def _polynomial(expression: Any, t: sp.Symbol) -> sp.Poly:

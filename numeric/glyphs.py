@@ -10,6 +10,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import cached_property, lru_cache
+from io import BytesIO
 from pathlib import Path
 from typing import Any
 
@@ -127,7 +128,7 @@ def _font(path: str) -> Any:
     from fontTools.ttLib import TTFont, TTLibError
 
     try:
-        tables = TTFont(path, lazy=True)
+        tables = TTFont(BytesIO(Path(path).read_bytes()), lazy=True)
     except TTLibError as error:
         raise BadValue("a TrueType font file", f"{path} ({error})", "Give another file.") from None
     if "glyf" not in tables:

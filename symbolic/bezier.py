@@ -66,9 +66,9 @@ def _derivation(basis: Basis) -> Derivation:
             sp.Add(sp.Mul(1 - t, b(0, r - 1), evaluate=False),
                    sp.Mul(t, b(1, r - 1), evaluate=False), evaluate=False),
             b(0, r),
-            f"level {r} of de Casteljau: b_0 = (1 - t) b_0 + t b_1 of the level before",
+            f"level {r} of de Casteljau: (1 - t) and t times two points of level {r - 1}",
         )
-        for r in range(1, n + 1)
+        for r in range(2, n + 1)
     ]  # fmt: skip
     functions = sp.ImmutableMatrix([bernstein(n)])
     row = sp.ImmutableMatrix([basis.powers])

@@ -23,9 +23,9 @@ class Step:
     Examples
     --------
     >>> t = sp.Symbol("t")
-    >>> step = Step((1 - t) + t, sp.Integer(1), "the weights of a lerp sum to one")
+    >>> step = Step((1 - t)**2 + 2*t*(1 - t), 1 - t**2, "the binomial theorem")
     >>> step.verify()
-    Proved: equal as polynomials in no symbols with rational coefficients.
+    Proved: equal as polynomials in t with rational coefficients.
     >>> print(Step((1 - t)*t, t - t**2, "expand"))
     t*(1 - t) = -t**2 + t, because expand
     """

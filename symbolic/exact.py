@@ -107,11 +107,13 @@ def _refuse_float(value: float) -> None:
 
 
 def _rows(points: Any) -> list[Any]:
+    if isinstance(points, sp.MatrixBase):
+        return points.tolist()
     if isinstance(points, str | bytes | dict) or not isinstance(points, Iterable):
         raise BadType(
             "control points as rows", shown(points), "Give rows like [[0, 0], [1, 2], [3, 0]]."
         )
-    return points.tolist() if isinstance(points, sp.MatrixBase) else list(points)
+    return list(points)
 
 
 def _row(row: Any) -> Point:

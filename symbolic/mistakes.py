@@ -14,7 +14,8 @@ from .proof import entries, shape
 def typical_mistakes(expected: Any) -> dict[str, Any]:
     """Return the wrong answers that typical mistakes lead to, by the sentence that names them.
 
-    Wrong answers that happen to be right (a symmetric matrix transposed) are left out.
+    A square SymPy matrix is taken for a basis matrix, a list of rows for points. Wrong answers
+    that happen to be right (a symmetric matrix transposed) are left out.
 
     >>> t = sp.Symbol("t")
     >>> typical_mistakes((1 - t)**2)["The sign is reversed."]
@@ -23,7 +24,8 @@ def typical_mistakes(expected: Any) -> dict[str, Any]:
     size = shape(expected)
     if len(size) == 2:
         matrix = sp.ImmutableMatrix(*size, [entry for _, entry in entries(expected)])
-        found = _of_matrices(matrix) if size[0] == size[1] else _of_points(matrix)
+        square = isinstance(expected, sp.MatrixBase) and size[0] == size[1]
+        found = _of_matrices(matrix) if square else _of_points(matrix)
         found["All signs are reversed."] = -matrix
     elif size == ():
         expression = next(entries(expected))[1]

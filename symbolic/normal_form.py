@@ -47,13 +47,14 @@ class NormalForms:
     @property
     def kind(self) -> str:
         """Name the structure in which the expressions were compared."""
+        if not self.generators:
+            return "numbers"
         names = sorted(map(str, self.generators), key=lambda name: (len(name), name))
         if len(names) > 6:
             names = [*names[:3], "...", names[-1]]
-        symbols = ", ".join(names) or "no symbols"
         form = "rational functions" if self.divisors else "polynomials"
         field = "rational" if self.domain == sp.QQ else "algebraic"
-        return f"{form} in {symbols} with {field} coefficients"
+        return f"{form} in {', '.join(names)} with {field} coefficients"
 
 
 def normal_forms(expressions: Sequence[sp.Expr]) -> NormalForms:

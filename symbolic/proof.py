@@ -107,12 +107,13 @@ def _decide(left: sp.Expr, right: sp.Expr, place: tuple[int, ...]) -> Verdict:
     except NoNormalForm as reason:
         return Undecided(str(reason))
     a, b = forms.elements
-    if a == b:
+    difference = a - b  # over algebraic numbers equal quotients may be written differently
+    if not difference:
         return Proved(forms.kind)
     if forms.opaque:
         unknown = ", ".join(sorted(str(g) for g in forms.generators if not g.is_Symbol))
         return Undecided(f"equal only if something is known about {unknown}")
-    values = _witness(forms, a - b)
+    values = _witness(forms, difference)
     return Refuted(
         dict(zip(forms.generators, map(forms.domain.to_sympy, values), strict=False)),
         forms.domain.to_sympy(_value(a, values)),

@@ -24,7 +24,7 @@ class Verdict:
         return isinstance(self, Proved)
 
     def __repr__(self) -> str:
-        return f"{self} {self.diagnosis}".strip()
+        return self.diagnosis or str(self)
 
 
 @dataclass(frozen=True, repr=False)

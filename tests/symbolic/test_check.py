@@ -1,0 +1,68 @@
+"""Checked answers: right ones are proved, typical mistakes are named, nothing raises."""
+
+import pytest
+import sympy as sp
+
+from symbolic import Proved, Refuted, Undecided, bezier, check, hermite
+
+t = sp.Symbol("t")
+MATRIX = hermite().matrix
+
+WRONG_MATRICES = {
+    "transpose:": MATRIX.T,
+    "other order: the first row": MATRIX[::-1, :],
+    "reverse order": MATRIX[:, ::-1],
+    "transpose, and the powers": MATRIX[::-1, :].T,
+    "stand in another order (1, 3, 2, 4)": MATRIX[:, [0, 2, 1, 3]],
+    "inverse": MATRIX.inv(),
+    "All signs": -MATRIX,
+}
+
+
+@pytest.mark.parametrize("said", WRONG_MATRICES)
+def test_typical_mistakes_with_a_matrix_are_named(said):
+    verdict = check(WRONG_MATRICES[said], MATRIX)
+    assert isinstance(verdict, Refuted)
+    assert said in verdict.diagnosis
+
+
+def test_a_symmetric_matrix_is_not_called_transposed():
+    assert isinstance(check(bezier(3).matrix.T, bezier(3).matrix), Proved)
+
+
+def test_two_mistakes_with_one_result_are_both_named():
+    verdict = check(4, 2, {"You squared.": 4, "You doubled.": 4})
+    assert verdict.diagnosis.startswith("One of these: You squared.")
+    assert "You doubled." in verdict.diagnosis
+
+
+def test_the_questions_own_mistakes_come_first():
+    assert check(-t, t, {"You went left.": -t}).diagnosis == "You went left."
+    assert check(-t, t).diagnosis == "The sign is reversed."
+
+
+def test_an_unknown_mistake_shows_where_it_fails_but_not_the_answer():
+    verdict = check(t**2 + 7, t**2)
+    assert isinstance(verdict, Refuted)
+    assert "your answer gives 7" in verdict.diagnosis
+
+
+@pytest.mark.parametrize("answer", [None, ...])
+def test_no_answer_yet(answer):
+    assert check(answer, 1).diagnosis.startswith("Not answered yet")
+
+
+@pytest.mark.parametrize(
+    "answer", [0.5, "1/2", [1, 2], {"a": 1}, object(), float("nan"), sp.Eq(t, 1)]
+)
+def test_answers_never_raise(answer):
+    verdict = check(answer, sp.Rational(1, 2))
+    assert isinstance(verdict, Undecided)
+    assert verdict.diagnosis
+
+
+@pytest.mark.parametrize("answer", ([[1, 2], [0, 1]], [[1, 0], [2, 1]]))
+def test_points_reversed_or_with_coordinates_exchanged(answer):
+    verdict = check(answer, [[0, 1], [1, 2]])
+    assert isinstance(verdict, Refuted)
+    assert "reverse order" in verdict.diagnosis or "exchanged" in verdict.diagnosis

@@ -1,0 +1,143 @@
+"""Verdicts are never wrong: proved means equal, refuted means the witness shows it."""
+
+import pickle
+
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from sympy import I, Rational, cos, pi, sin, sqrt
+
+from symbolic import BadType, NotExact, Proved, Refuted, Step, Undecided, prove
+from symbolic.errors import BadValue
+
+t, x, y = symbols = sp.symbols("t x y")
+
+leaves = st.one_of(
+    st.sampled_from(symbols), st.integers(-4, 4).map(sp.Integer), st.just(Rational(1, 3))
+)
+
+
+def _combine(children):
+    return st.one_of(
+        st.tuples(children, children).map(lambda ab: ab[0] + ab[1]),
+        st.tuples(children, children).map(lambda ab: ab[0] * ab[1]),
+        st.tuples(children, st.integers(0, 4)).map(lambda ab: ab[0] ** ab[1]),
+        st.tuples(children, children).map(lambda ab: ab[0] / (ab[1] ** 2 + 1)),
+    )
+
+
+expressions = st.recursive(leaves, _combine, max_leaves=10)
+
+
+@settings(max_examples=150, deadline=None)
+@given(expressions, expressions)
+def test_verdicts_agree_with_an_independent_normal_form(left, right):
+    equal = sp.cancel(sp.together(left - right)) == 0
+    verdict = prove(left, right)
+    assert isinstance(verdict, Proved if equal else Refuted)
+    if isinstance(verdict, Refuted):
+        assert left.subs(verdict.witness) == verdict.left
+        assert right.subs(verdict.witness) == verdict.right
+        assert verdict.left != verdict.right
+
+
+@settings(max_examples=60, deadline=None)
+@given(expressions)
+def test_rewriting_never_changes_the_verdict(expression):
+    assert prove(expression, sp.expand(expression))
+    assert prove(expression, sp.together(expression))
+    assert isinstance(prove(expression, expression + Rational(1, 10**9)), Refuted)
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    (sqrt(2) * (1 + sqrt(2)) * t, sqrt(2) * t + 2 * t),
+    (1 / (sqrt(3) - sqrt(2)), sqrt(3) + sqrt(2)),
+    ((1 + I * t) * (1 - I * t), 1 + t**2),
+    (1 / (t - 1) - 1 / (t + 1), 2 / (t**2 - 1)),
+    (sin(x) * (1 + t), sin(x) + t * sin(x)),
+    (pi * (t + 1), pi + pi * t),
+    (sp.Symbol("t", real=True), t),
+    (sp.Sum(t**2, (t, 1, 4)), 30),
+    (sp.Derivative(t**3, t), 3 * t**2),
+    (sp.Matrix([[1, t], [0, 1]]) ** 2, [[1, 2 * t], [0, 1]]),
+    (sp.MatMul(sp.Matrix([[t, 1]]), sp.Matrix([2, 3]), evaluate=False), [[2 * t + 3]]),
+])  # fmt: skip
+def test_proved(left, right):
+    assert isinstance(prove(left, right), Proved)
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    (sin(t) ** 2 + cos(t) ** 2, 1),
+    (sqrt(t) ** 2 + sp.sqrt(t**2), t),
+    (sp.Abs(t), t),
+    (sp.Piecewise((t, t > 0), (0, True)), t),
+    (pi, Rational(22, 7)),
+    (1 / (x * y - y * x + (t - 1) * (t + 1) - t**2 + 1), 1),
+    ((x + y) ** 10_000, x),
+])  # fmt: skip
+def test_undecided_rather_than_wrong(left, right):
+    assert isinstance(prove(left, right), Undecided)
+
+
+def test_a_witness_avoids_the_poles_of_both_sides():
+    verdict = prove(1 / t, 1 / (t - 1))
+    assert isinstance(verdict, Refuted)
+    assert verdict.witness[t] not in (0, 1)
+
+
+def test_the_wrong_entry_is_named():
+    verdict = prove(sp.eye(3), sp.Matrix([[1, 0, 0], [0, 1, 0], [0, 5, 1]]))
+    assert isinstance(verdict, Refuted)
+    assert verdict.where == "row 3, column 2"
+    assert prove([1, 2, t], [1, 2, x]).where == "entry 3"
+
+
+def test_shared_subexpressions_are_visited_once():
+    """As a tree this expression has 2^200 leaves."""
+    left = right = t
+    for _ in range(200):
+        left, right = left + x * 0 + left, 2 * right
+    assert prove(left, right)
+    deep = t
+    for _ in range(60):
+        deep = (deep + x) / 2 + (deep - x) / 2
+    assert prove(deep, t)
+
+
+@pytest.mark.parametrize(("left", "right", "error"), [
+    (0.5, Rational(1, 2), NotExact),
+    (t * 0.5, t / 2, NotExact),
+    (float("nan"), 0, BadValue),
+    ("t + 1", t + 1, BadType),
+    (sp.Eq(t, x), t, BadType),
+    ([1, 2], [1, 2, 3], BadType),
+    (sp.eye(2), sp.eye(3), BadType),
+    (True, 1, BadType),
+])  # fmt: skip
+def test_bad_input_is_refused_in_a_sentence(left, right, error):
+    with pytest.raises(error, match="Expected .*, received .*\\. "):
+        prove(left, right)
+
+
+def test_text_is_never_evaluated():
+    with pytest.raises(BadType):
+        prove("__import__('os').system('exit 1')", 0)
+
+
+def test_only_proved_is_true_in_a_condition():
+    assert prove(t, t)
+    assert not prove(t, x)
+    assert not prove(sp.Abs(t), t)
+
+
+def test_a_false_step_shows_a_cross_and_a_true_one_a_tick():
+    assert r"\checkmark" in Step(t + t, 2 * t, "add")._repr_latex_()
+    assert r"\times" in Step(t + t, t**2, "add")._repr_latex_()
+    assert "?" in Step(sp.Abs(t), t, "hope")._repr_latex_()
+
+
+def test_errors_survive_pickling():
+    with pytest.raises(NotExact) as caught:
+        prove(0.1, 1)
+    assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
