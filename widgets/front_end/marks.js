@@ -1,0 +1,152 @@
+/**
+ * The marks of a drawing: a table from the kind of a mark to the function that draws it. A new
+ * visual idea is a new line in this table.
+ *
+ * Each function makes its elements once and returns `update`, which moves them: elements and
+ * strings change on every frame of a drag, and nothing else does.
+ */
+
+import { attributeWriter, svg } from "./dom.js";
+import { cssColour } from "./theme.js";
+
+/** @typedef {import("./scene.js").Mark} Mark */
+/** @typedef {import("./tape.js").Output} Output */
+/** @typedef {import("./transform.js").Transform} Transform */
+/** @typedef {ReturnType<typeof import("./labels.js").createLabels>} Labels */
+/** @typedef {{nodes: SVGElement[], update: (map: Transform, shown: boolean) => void}} Drawn */
+/** @typedef {(mark: Mark, output: Output, labels: Labels, rank: number) => Drawn} Renderer */
+
+/** Browsers draw coordinates beyond this wrongly; it is far outside of any screen. */
+const FAR = 1e5;
+const pixel = (/** @type {number} */ v) => Math.round(Math.min(Math.max(v, -FAR), FAR) * 100) / 100;
+
+/**
+ * The path through an output's points, `pieces[k]` of its pieces (points, for a polyline) in the
+ * k-th subpath. It breaks where a coordinate is not finite.
+ * @param {Output} output
+ * @param {Mark} mark
+ * @param {Transform} map
+ * @param {Labels} labels
+ */
+function pathData({ values, size, count }, mark, map, labels) {
+  let d = "";
+  let piece = 0;
+  for (const length of mark.pieces ?? [size / 2]) {
+    let pen = false;
+    let whole = true;
+    for (const end = piece + length; piece < end; piece++) {
+      for (let k = 2 * piece; k < count * size; k += size) {
+        const x = map.sx * values[k] + map.ox;
+        const y = map.sy * values[k + 1] + map.oy;
+        if (Number.isFinite(x) && Number.isFinite(y)) {
+          d += `${pen ? "L" : "M"}${pixel(x)} ${pixel(y)}`;
+          labels.line(x, y, !pen);
+          pen = true;
+        } else pen = whole = false;
+      }
+    }
+    if (mark.closed && whole) d += "Z";
+  }
+  return d;
+}
+
+/** @type {Renderer} */
+function path(mark, output, labels) {
+  const style = `--colour: ${cssColour(mark.color)}; --width: ${mark.width ?? 2}px`;
+  // A line in the accent's colour is emphasis already.
+  const halo = svg("path", { class: mark.color === "accent" ? "none" : "halo", style });
+  const line = svg("path", { class: `path${mark.fill ? " filled" : ""}${mark.dashed ? " dashed" : ""}`, style });
+  const [writeHalo, writeLine] = [attributeWriter(halo, "d"), attributeWriter(line, "d")];
+  return {
+    nodes: [halo, line],
+    update(map, shown) {
+      if (!shown) return;
+      const d = pathData(output, mark, map, labels);
+      writeHalo(d);
+      writeLine(d);
+    },
+  };
+}
+
+/** @type {Renderer} */
+function dots(mark, output, labels, rank) {
+  const radius = mark.radius ?? 5;
+  const all = Array.from({ length: output.size / 2 }, (_, i) => {
+    const colour = cssColour(mark.colors?.[i]);
+    const text = mark.labels?.[i];
+    return {
+      node: svg("g", { style: `--colour: ${colour}` },
+        svg("circle", { class: "halo", r: radius + 5 }), svg("circle", { class: "dot", r: radius })),
+      label: text ? labels.add(text, colour, rank, radius + 5) : null,
+    };
+  });
+  return {
+    nodes: all.map(({ node }) => node),
+    update(map, shown) {
+      all.forEach(({ node, label }, i) => {
+        const x = map.sx * output.values[2 * i] + map.ox;
+        const y = map.sy * output.values[2 * i + 1] + map.oy;
+        const visible = shown && Number.isFinite(x) && Number.isFinite(y);
+        node.style.display = visible ? "" : "none";
+        if (label) [label.x, label.y, label.wanted] = [x, y, visible];
+        if (!visible) return;
+        node.setAttribute("transform", `translate(${pixel(x)} ${pixel(y)})`);
+        labels.point(x, y, radius);
+      });
+    },
+  };
+}
+
+/** Shaft and head of an arrow in pixels; nothing where it has no direction. */
+function arrow(/** @type {number[]} */ [x0, y0, x1, y1], /** @type {number} */ width) {
+  const length = Math.hypot(x1 - x0, y1 - y0);
+  if (!(length > 1 && length < FAR)) return ["", ""];
+  const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
+  const head = Math.min(7 + 1.5 * width, length);
+  const half = head * 0.42;
+  const [bx, by] = [x1 - ux * head, y1 - uy * head];
+  return [
+    `M${pixel(x0)} ${pixel(y0)}L${pixel(bx)} ${pixel(by)}`,
+    `M${pixel(x1)} ${pixel(y1)}L${pixel(bx - uy * half)} ${pixel(by + ux * half)}`
+    + `L${pixel(bx + uy * half)} ${pixel(by - ux * half)}Z`,
+  ];
+}
+
+/** @type {Renderer} */
+function arrows(mark, output, labels) {
+  const width = mark.width ?? 2;
+  const style = `--colour: ${cssColour(mark.color)}; --width: ${width}px`;
+  const halo = svg("path", { class: "halo", style });
+  const shaft = svg("path", { class: "path", style });
+  const head = svg("path", { class: "head", style });
+  const write = [halo, shaft, head].map((node) => attributeWriter(node, "d"));
+  return {
+    nodes: [halo, shaft, head],
+    update(map, shown) {
+      if (!shown) return;
+      const all = ["", ""];
+      for (let k = 0; k < output.size; k += 4) {
+        const [x0, y0, x1, y1] = output.values.subarray(k, k + 4);
+        const ends = [map.sx * x0 + map.ox, map.sy * y0 + map.oy, map.sx * x1 + map.ox, map.sy * y1 + map.oy];
+        const [line, tip] = arrow(ends, width);
+        all[0] += line;
+        all[1] += tip;
+        if (!line) continue;
+        labels.line(ends[0], ends[1], true);
+        labels.line(ends[2], ends[3], false);
+      }
+      write[0](all[0]);
+      write[1](all[0]);
+      write[2](all[1]);
+    },
+  };
+}
+
+/** @type {Record<string, Renderer>} */
+export const DRAWING_MARKS = { path, dots, arrows };
+
+/** Is a mark there at this step, and is it what the step is about? */
+export function presence(/** @type {Mark} */ mark, /** @type {number} */ step) {
+  const from = mark.from ?? 0;
+  return { shown: step >= from && step <= (mark.until ?? Infinity), active: from > 0 && step === from };
+}
