@@ -75,6 +75,7 @@ class Figure(anywidget.AnyWidget):
         if not isinstance(scene, Scene):
             raise BadType("a Scene", shown(scene), "Make one: scene = Scene(); scene.points(...).")
         data = scene.to_json()
+        self._refuse_taken([slider["name"] for slider in data["sliders"]])
         super().__init__(
             _esm=bundle("figure.mjs"),
             scene=data,
@@ -108,7 +109,7 @@ class Figure(anywidget.AnyWidget):
                 )  # fmt: skip
             self.points = {**self.points, name: rows.tolist()}
         elif name == "step":
-            self.step = min(int(value), len(self.scene["steps"]) - 1)
+            self._go_to(value)
         else:
             self._slide(name, value)
 
@@ -161,6 +162,20 @@ class Figure(anywidget.AnyWidget):
         image = io.BytesIO()
         self.picture().savefig(image, format="png", dpi=96)
         return _image(base64.b64encode(image.getvalue()).decode(), self.scene["description"])
+
+    def _refuse_taken(self, names: list[str]) -> None:
+        taken = [name for name in names if hasattr(type(self), name)]
+        if taken:
+            raise BadValue(
+                "sliders named differently from the parts of a widget",
+                ", ".join(taken), "Choose another name, such as t.",
+            )  # fmt: skip
+
+    def _go_to(self, step: Any) -> None:
+        last = max(0, len(self.scene["steps"]) - 1)
+        if step not in range(last + 1):
+            raise OutsideDomain(f"a step from 0 to {last}", shown(step), "Choose one of these.")
+        self.step = int(step)
 
     def _slide(self, name: str, value: Any) -> None:
         slider = next((s for s in self.scene["sliders"] if s["name"] == name), None)

@@ -15,7 +15,7 @@ PALETTE: dict[str, dict[str, Any]] = {
         "curve": "#111827",
         "construction": "#64748b",
         "muted": "#cbd5e1",
-        "accent": "#b45309",
+        "accent": "#a16207",
     },
     "dark": {
         "points": ["#6cb6ff", "#ffa657", "#7ee787", "#f5a3ff", "#5fd7e6",
@@ -23,7 +23,7 @@ PALETTE: dict[str, dict[str, Any]] = {
         "curve": "#f3f4f6",
         "construction": "#94a3b8",
         "muted": "#475569",
-        "accent": "#fbbf24",
+        "accent": "#facc15",
     },
 }  # fmt: skip
 

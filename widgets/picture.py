@@ -105,8 +105,11 @@ def _handles(axis: Any, group: dict[str, Any], points: np.ndarray, theme: str) -
 
 
 def _label(axis: Any, label: str, point: np.ndarray, color: str) -> None:
+    from matplotlib.patheffects import withStroke
+
+    halo = withStroke(linewidth=3, foreground=axis.get_facecolor())
     axis.annotate(_math(label), point, xytext=(6, 7), textcoords="offset points", color=color,
-                  fontsize=10, zorder=7)  # fmt: skip
+                  fontsize=12, math_fontfamily="stix", path_effects=[halo], zorder=7)  # fmt: skip
 
 
 def _math(label: str) -> str:

@@ -145,6 +145,10 @@ class Scene:
 
     def steps(self, captions: Sequence[str], first: int = 0) -> None:
         """Give the figure steps; marks appear `since` and disappear after `until` a step."""
+        if first not in range(len(captions)):
+            raise BadValue(
+                f"a first step from 0 to {len(captions) - 1}", shown(first), "Choose one of these."
+            )
         self.captions = list(captions)
         self.first_step = first
 

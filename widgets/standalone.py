@@ -15,11 +15,13 @@ _PAGE = """<!doctype html>
 <style>
 :root {{ color-scheme: light dark; }}
 body {{ margin: 0 auto; padding: 0.5rem; max-width: 62rem; background: #fff; color: #111827; }}
+h1 {{ position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: inset(50%); }}
 @media (prefers-color-scheme: dark) {{ body {{ background: #111418; color: #f3f4f6; }} }}
 </style>
 </head>
 <body>
 <main>
+<h1>{title}</h1>
 <div class="casteljau-figure" data-figure="figure">{poster}</div>
 </main>
 <script type="application/json" data-figure-state="figure">{state}</script>

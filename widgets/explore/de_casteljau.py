@@ -55,7 +55,7 @@ def de_casteljau(points: Any = CUBIC, t: Any = Fraction(3, 8), step: int | None 
     levels = levels_of(b, parameter)
     lerps = [(r, i) for r in range(1, n + 1) for i in range(n + 1 - r)]
     at = {entry: k for k, entry in enumerate(lerps, 1)}
-    scene.steps(_captions(lerps, n), first=len(lerps) if step is None else int(step))
+    scene.steps(_captions(lerps, n), first=len(lerps) if step is None else step)
 
     _draw_curve(scene, levels[-1][0], parameter)
     scene.polyline(b)

@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import Any
 
 from symbolic import de_casteljau, subdivide
+from symbolic.errors import BadValue, shown
 
 from ..figure import Figure
 from ..scene import Scene
@@ -13,6 +14,7 @@ from .control_points import control_points
 from .de_casteljau import CUBIC
 
 _LEFT, _RIGHT = 0, 1  # colours of the two parts
+_DEEPEST = 6  # 64 polygons: beyond, they cannot be told from the curve
 
 
 def subdivision(points: Any = CUBIC, t: Any = Fraction(1, 2), depth: int | None = None) -> Figure:
@@ -39,7 +41,11 @@ def subdivision(points: Any = CUBIC, t: Any = Fraction(1, 2), depth: int | None 
     5
     """
     rows = control_points(points)
-    depth = (4 if len(rows) <= 5 else 3) if depth is None else int(depth)
+    depth = (4 if len(rows) <= 5 else 3) if depth is None else depth
+    if depth not in range(_DEEPEST + 1):
+        raise BadValue(
+            f"a depth from 0 to {_DEEPEST}", shown(depth), "Each split doubles the polygons."
+        )
     scene = Scene(
         "Subdivision",
         f"A Bezier curve of degree {len(rows) - 1} and the control polygons of its parts after "
@@ -47,7 +53,7 @@ def subdivision(points: Any = CUBIC, t: Any = Fraction(1, 2), depth: int | None 
     )
     b = scene.points(rows, name="b")
     parameter = scene.slider("t", 0, 1, value=float(t))
-    scene.steps(_captions(depth), first=1)
+    scene.steps(_captions(depth), first=min(1, depth))
     scene.curve(de_casteljau(b, parameter)[-1][0], parameter, color="muted", width=4)
     scene.polyline(b, color="construction", dashed=True)
     parts: list[Any] = [b]

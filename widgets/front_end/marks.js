@@ -145,8 +145,9 @@ function arrows(mark, output, labels) {
 /** @type {Record<string, Renderer>} */
 export const DRAWING_MARKS = { path, dots, arrows };
 
-/** Is a mark there at this step, and is it what the step is about? */
+/** Is a mark there at this step, and is it what the step adds? (Not if it goes again with it.) */
 export function presence(/** @type {Mark} */ mark, /** @type {number} */ step) {
   const from = mark.from ?? 0;
-  return { shown: step >= from && step <= (mark.until ?? Infinity), active: from > 0 && step === from };
+  const until = mark.until ?? Infinity;
+  return { shown: step >= from && step <= until, active: from > 0 && step === from && until > from };
 }
