@@ -91,7 +91,7 @@ def _arrows(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, ord
         axis.annotate(
             "", xy=end, xytext=start, zorder=3,
             arrowprops={"arrowstyle": "-|>", "color": colour(mark["color"], theme),
-                        "linewidth": mark["width"] * 0.75, "shrinkA": 0, "shrinkB": 0},
+                        "linewidth": mark["width"] * 0.75, "shrinkA": 0, "shrinkB": 6},
         )  # fmt: skip
 
 

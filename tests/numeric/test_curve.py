@@ -33,7 +33,7 @@ def test_points_agree_with_exact_de_casteljau(degree, dim, data):
 @pytest.mark.parametrize("degree", range(1, 26))
 def test_alternating_points_are_the_worst_case_and_stay_within_the_bound(degree):
     points = [[Fraction((-1) ** i)] for i in range(degree + 1)]
-    at = [Fraction(k, 16) for k in range(17)]
+    at = [Fraction(k / 17) for k in range(18)]  # floats, taken exactly
     exact = [float(de_casteljau(points, u)[-1][0][0]) for u in at]
     ours = Curve.from_bezier(points)([float(u) for u in at])[:, 0]
     assert np.abs(ours - exact).max() <= (2e-13 if degree <= HORNER_DEGREE else 4e-15)

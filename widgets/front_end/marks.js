@@ -97,11 +97,15 @@ function dots(mark, output, labels, rank) {
   };
 }
 
+/** Arrows stop this far from their end, so that they do not hide below a point there. */
+const ARROW_GAP = 8;
+
 /** Shaft and head of an arrow in pixels; nothing where it has no direction. */
-function arrow(/** @type {number[]} */ [x0, y0, x1, y1], /** @type {number} */ width) {
-  const length = Math.hypot(x1 - x0, y1 - y0);
+function arrow(/** @type {number[]} */ [x0, y0, toX, toY], /** @type {number} */ width) {
+  const length = Math.hypot(toX - x0, toY - y0) - ARROW_GAP;
   if (!(length > 1 && length < FAR)) return ["", ""];
-  const [ux, uy] = [(x1 - x0) / length, (y1 - y0) / length];
+  const [ux, uy] = [(toX - x0) / (length + ARROW_GAP), (toY - y0) / (length + ARROW_GAP)];
+  const [x1, y1] = [x0 + ux * length, y0 + uy * length];
   const head = Math.min(7 + 1.5 * width, length);
   const half = head * 0.42;
   const [bx, by] = [x1 - ux * head, y1 - uy * head];

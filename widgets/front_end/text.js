@@ -10,7 +10,7 @@ const PIECE = /([_^])(?:\{([^}]*)\}|(.))|(\p{L}+(?:['’]\p{L}+)*)|([^_^\p{L}]+)
 
 /**
  * Split a label or a caption into tokens. A letter is set in italics when it is a variable: it
- * carries a script or stands alone; the words "a" and "I" of a caption are not variables.
+ * carries a script, or is a lone small letter other than the word "a"; "the letter S" is not.
  * @param {string} text
  * @returns {Token[]}
  */
@@ -19,7 +19,7 @@ export function parseLabel(text) {
   const tokens = [];
   for (const [, script, group, single, word, rest] of text.matchAll(PIECE)) {
     if (!script) {
-      const variable = word !== undefined && [...word].length === 1 && !/[aAI]/.test(word);
+      const variable = word !== undefined && /^\p{Ll}$/u.test(word) && word !== "a";
       tokens.push({ base: word ?? rest, sub: "", sup: "", italic: variable });
       continue;
     }
