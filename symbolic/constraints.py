@@ -37,14 +37,6 @@ class Condition:
         inner = sp.Derivative(expression, (parameter, self.order)) if self.order else expression
         return sp.Subs(inner, parameter, self.at)
 
-    def on(self, polynomial: sp.Poly) -> sp.Expr:
-        """Return the condition applied to a polynomial, by differentiation.
-
-        >>> derivative(2).on(sp.Poly(sp.Symbol("t")**2))
-        4
-        """
-        return polynomial.diff((polynomial.gen, self.order)).eval(self.at)
-
     def __str__(self) -> str:
         primes = "'" * self.order if self.order < 4 else f"^({self.order})"
         return f"c{primes}({self.at})"

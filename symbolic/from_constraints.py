@@ -77,7 +77,7 @@ def basis_from(
             for symbol, kind in zip(entries, kinds, strict=True)
         ),
         matrix,
-        lambda basis: _derivation(basis, conditions, system, inverse, demands),
+        lambda basis: _derivation(basis, conditions, combinations, system, inverse, demands),
     )
 
 
@@ -171,6 +171,7 @@ def _refuse_unsolvable(
 def _derivation(
     basis: Basis,
     conditions: Sequence[Condition],
+    combinations: Sequence[sp.Expr],
     system: DomainMatrix,
     inverse: DomainMatrix,
     demands: DomainMatrix,
@@ -181,8 +182,7 @@ def _derivation(
     c, c_inverse, right = map(to_matrix, (system, inverse, demands))
     rows = [sum((e * a for e, a in zip(c.row(i), unknowns, strict=True)), sp.S.Zero)
             for i in range(len(conditions))]  # fmt: skip
-    functions = [sp.Poly(f, PARAMETER) for f in basis.functions]
-    checks = [[condition.on(f) for f in functions] for condition in conditions]
+    finished = basis.curve([[entry.symbol] for entry in basis.geometry])[0]
     given = ", ".join(map(str, basis.geometry))
     steps = [
         Step(_times(powers, column), sp.ImmutableMatrix([[curve]]),
@@ -197,8 +197,8 @@ def _derivation(
              f"the inverse times the right sides, in terms of ({given}), is the basis matrix"),
         Step(_times(powers, basis.matrix), sp.ImmutableMatrix([basis.functions]),
              f"one blending function for each of {given}"),
-        Step(sp.ImmutableMatrix(checks), right,
-             "the constraints, by differentiation of each blending function, hold"),
+        *(Step(condition.of(finished, PARAMETER), given_side, f"{condition} of the finished curve")
+          for condition, given_side in zip(conditions, combinations, strict=True)),
     ]  # fmt: skip
     return Derivation(f"{basis.name}: from {len(conditions)} constraints", tuple(steps))
 
