@@ -96,7 +96,18 @@ class Derivation:
 
 
 def _linear(side: Any) -> str:
-    """One line of text for a screen reader: matrices row by row in brackets."""
+    """One line of text for a screen reader: matrices row by row in brackets.
+
+    >>> t = sp.Symbol("t")
+    >>> _linear(sp.Subs(sp.Derivative(t**2, t), t, 1))
+    'd/dt (t**2) at t = 1'
+    """
+    if isinstance(side, sp.Subs):
+        return f"{_linear(side.expr)} at {side.variables[0]} = {side.point[0]}"
+    if isinstance(side, sp.Derivative):
+        variable, order = side.variable_count[0]
+        power = f"^{order}" if order > 1 else ""
+        return f"d{power}/d{variable}{power} ({side.expr})"
     if isinstance(side, sp.MatMul):
         return " * ".join(_linear(factor) for factor in side.args)
     if isinstance(side, sp.MatrixBase):

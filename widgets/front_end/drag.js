@@ -25,7 +25,6 @@ export function listenForDrags({ store, life }, drawing, handles, react) {
    */
   let drag = null;
   let onHandle = false;
-  let latest = /** @type {PointerEvent | null} */ (null);
 
   /** Pixels of an event inside the drawing; a host such as a slide show may have scaled it. */
   function position(/** @type {MouseEvent} */ event) {
@@ -67,30 +66,22 @@ export function listenForDrags({ store, life }, drawing, handles, react) {
     store.begin();
   }
 
-  // A pointer may report several times between two frames; only the last position is computed.
-  const follow = life.framed(() => {
-    if (!drag || !latest) return;
-    const [px, py] = position(latest);
-    moveTo(drag.handle, px + drag.dx, py + drag.dy, latest.shiftKey);
-    latest = null;
-  });
-
   function onMove(/** @type {PointerEvent} */ event) {
     if (!drag || event.pointerId !== drag.pointer) return;
+    const [px, py] = position(event);
     if (!drag.moved) {
-      const [px, py] = position(event);
       const limit = event.pointerType === "mouse" ? TREMBLE.mouse : TREMBLE.touch;
       if (Math.hypot(px - drag.startX, py - drag.startY) < limit) return;
       drag.moved = true;
       drag.handle.element.classList.add("dragged");
     }
-    latest = event;
-    follow();
+    // Browsers report right before a frame, and the figure draws in it: nothing is computed twice.
+    moveTo(drag.handle, px + drag.dx, py + drag.dy, event.shiftKey);
   }
 
   function finish() {
     const { handle, pointer, moved } = /** @type {NonNullable<typeof drag>} */ (drag);
-    drag = latest = null;
+    drag = null;
     handle.element.classList.remove("dragged");
     if (handle.element.hasPointerCapture(pointer)) handle.element.releasePointerCapture(pointer);
     return { handle, moved };
