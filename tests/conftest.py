@@ -1,10 +1,12 @@
 """Fixtures for all tests: a folder for pictures, a browser, and a JupyterLab to open in it."""
 
+import os
 import sys
 from collections.abc import Iterator
 from pathlib import Path
 from urllib.parse import urlsplit
 
+import hypothesis
 import pytest
 from playwright.sync_api import Browser, Route, WebSocketRoute, sync_playwright
 
@@ -13,6 +15,11 @@ from hatch_build import front_end_build
 from serving import Lab, running_lab
 
 ROOT = Path(__file__).parent.parent
+# Continuous integration judges a change, so it draws the same examples every time; elsewhere new
+# ones are tried at every run.
+hypothesis.settings.register_profile("ci", derandomize=True, deadline=None)
+hypothesis.settings.register_profile("local", deadline=None)
+hypothesis.settings.load_profile("ci" if os.environ.get("CI") else "local")
 # Without these Chromium refuses to run as root and calls its maker at every start.
 FLAGS = [
     "--no-sandbox",
