@@ -74,12 +74,7 @@ class Curve:
         array([0.5 , 0.75])
         """
         rows = float_points(geometry)
-        if len(rows) != len(basis.geometry):
-            raise BadValue(
-                f"{len(basis.geometry)} rows ({', '.join(map(str, basis.geometry))})",
-                f"{len(rows)}",
-                f"Give one row for every entry of the geometry vector of {basis.name}.",
-            )
+        basis.require_rows(len(rows))
         conversion = basis.to(bezier(basis.degree))
         return cls.from_bezier(np.array(conversion.tolist(), dtype=float) @ rows, domain)
 

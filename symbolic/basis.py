@@ -174,17 +174,21 @@ class Basis:
             If the number of rows is not that of the geometry vector.
         """
         rows = exact_points(points)
-        if len(rows) != len(self.geometry):
-            raise BadValue(
-                f"{len(self.geometry)} rows ({', '.join(map(str, self.geometry))})",
-                f"{len(rows)}",
-                f"Give one row for every entry of the geometry vector of {self.name}.",
-            )
+        self.require_rows(len(rows))
         coefficients = self.matrix * sp.ImmutableMatrix(rows)
         return tuple(
             sp.Add(*(c * p for c, p in zip(coefficients.col(j), self.powers, strict=True)))
             for j in range(coefficients.cols)
         )
+
+    def require_rows(self, count: int) -> None:
+        """Raise `BadValue` unless a geometry vector of this basis has so many rows."""
+        if count != len(self.geometry):
+            raise BadValue(
+                f"{len(self.geometry)} rows ({', '.join(map(str, self.geometry))})",
+                f"{count}",
+                f"Give one row for every entry of the geometry vector of {self.name}.",
+            )
 
     def __repr__(self) -> str:
         return f"<{self.name}: degree {self.degree}, G = ({', '.join(map(str, self.geometry))})>"
