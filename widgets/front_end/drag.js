@@ -51,8 +51,11 @@ export function listenForDrags({ store, life }, drawing, handles, react) {
     return handles.reduce((best, handle) => (distance(handle) <= distance(best) ? handle : best));
   }
 
+  const isOnHandle = (/** @type {Event} */ event) =>
+    handles.some(({ element }) => event.composedPath().includes(element));
+
   function onDown(/** @type {PointerEvent} */ event) {
-    const touched = handles.some(({ element }) => event.composedPath().includes(element));
+    const touched = isOnHandle(event);
     if (event.isPrimary) onHandle = touched;
     if (!touched || drag || event.button !== 0) return;
     const [px, py] = position(event);
@@ -114,6 +117,10 @@ export function listenForDrags({ store, life }, drawing, handles, react) {
   life.listen(element, "pointermove", onMove);
   life.listen(element, "pointerup", onUp);
   life.listen(element, "pointercancel", (event) => { if (event.pointerId === drag?.pointer) cancel(); });
+  // Chromium does not honour touch-action inside an SVG: it would scroll, and cancel the drag.
+  life.listen(element, "touchstart", (event) => {
+    if (isOnHandle(event)) event.preventDefault();
+  }, { passive: false });
   life.listen(element, "mousedown", (event) => {
     if (onHandle) event.preventDefault(); // no text selection, and the focus stays where onDown put it
   });

@@ -25,7 +25,7 @@ function draw(/** @type {import("./scene.js").Model} */ model, /** @type {HTMLEl
 }
 
 /** @param {{model: import("./scene.js").Model, el: HTMLElement}} view */
-export function render({ model, el }) {
+function render({ model, el }) {
   let close = draw(model, el);
   const redraw = () => {
     close();

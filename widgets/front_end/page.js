@@ -3,7 +3,7 @@
  * replaced by the figure whose state stands in `<script data-figure-state="ID">` as JSON.
  */
 
-import { render } from "./index.js";
+import figure from "./index.js";
 
 /**
  * The part of anywidget's model a figure needs, in memory.
@@ -32,7 +32,7 @@ function mount(/** @type {HTMLElement} */ place) {
   try {
     const { sliders, ...state } = JSON.parse(text);
     place.replaceChildren(); // the poster
-    render({ model: createModel({ ...state, ...sliders }), el: place });
+    figure.render({ model: createModel({ ...state, ...sliders }), el: place });
   } catch (error) {
     place.append(`This figure's data cannot be read: ${error}`);
   }
