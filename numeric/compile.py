@@ -7,6 +7,7 @@ de Casteljau scheme of degree n costs n(n + 1)/2 interpolations, however large i
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from math import isfinite
 from typing import Any
 
 import sympy as sp
@@ -74,7 +75,7 @@ class Program:
             return self._sum(expression)
         if expression.is_Mul:
             product = self._quotient(expression)
-            return self._put(("neg", product)) if _is_negative_term(expression) else product
+            return self._put(("neg", product)) if _is_negative(expression) else product
         if expression.is_Pow:
             return self._power(expression, expression.exp)
         if expression.func is sp.atan:  # SymPy makes it of atan2 where the second one is positive
@@ -105,7 +106,7 @@ class Program:
         """Add the positive terms, then subtract the ones with a negative coefficient."""
         plus, minus = [], []
         for term in expression.args:
-            if not _is_negative_term(term):
+            if not _is_negative(term):
                 plus.append(self._of[id(term)])
             else:
                 minus.append(self._quotient(term) if term.is_Mul else self._constant(-term))
@@ -135,6 +136,8 @@ class Program:
         if exponent.is_Rational and exponent.is_negative:
             positive = self._power(power, -exponent)
             return self._put(("div", self._constant(sp.S.One), positive))
+        if exponent.is_zero:
+            return self._constant(sp.S.One)
         if exponent.is_Integer and exponent <= 64:
             return self._whole_power(base, int(exponent))
         if exponent.is_Rational and exponent.q == 2 and exponent <= 64:
@@ -157,17 +160,27 @@ class Program:
         return total
 
 
-def _is_negative_term(term: sp.Expr) -> bool:
-    coefficient = term.args[0] if term.is_Mul else term
-    return bool(coefficient.is_Rational and coefficient.is_negative)
+def _is_negative(term: sp.Expr) -> bool:
+    """Tell whether an odd number of a term's rational factors is negative."""
+    factors = term.args if term.is_Mul else (term,)
+    return sum(bool(f.is_Rational and f.is_negative) for f in factors) % 2 == 1
 
 
 def _json_number(value: sp.Expr) -> float | tuple[int, int]:
     """Return a rational as a whole number or an exact pair (p, q), other reals as a float."""
-    if not value.is_real or not value.is_finite:
-        raise BadType("real finite constants", shown(value), "Leave complex numbers out.")
+    if not value.is_real or not value.is_finite or not isfinite(_as_float(value)):
+        raise BadType(
+            "real constants below 1.8e308", shown(value), "Leave complex and huge numbers out."
+        )
     if value.is_Integer and abs(value) <= _LARGEST_SAFE_INTEGER:
         return int(value)
     if value.is_Rational and max(abs(value.p), value.q) <= _LARGEST_SAFE_INTEGER:
         return (int(value.p), int(value.q))
-    return float(value)
+    return _as_float(value)
+
+
+def _as_float(value: sp.Expr) -> float:
+    try:
+        return float(value)
+    except (TypeError, OverflowError):
+        return float("nan")

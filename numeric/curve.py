@@ -10,9 +10,9 @@ import sympy as sp
 
 from symbolic import Basis, bezier
 from symbolic.errors import BadType, BadValue, OutsideDomain, shown
-from symbolic.exact import exact
+from symbolic.exact import as_list, exact
 
-from .points import float_points
+from .points import float_points, real_array
 
 # Largest error against exact values, relative to the largest control point, over random and
 # alternating control points: degree 3 1e-15, 5 6e-15, 7 5e-14, 8 2e-13, 12 2e-11, 20 5e-8. The
@@ -75,6 +75,11 @@ class Curve:
         """
         rows = float_points(geometry)
         basis.require_rows(len(rows))
+        if basis.matrix.free_symbols:
+            raise BadValue(
+                "a basis without parameters", f"{basis.name} in {basis.matrix.free_symbols}",
+                "Substitute numbers for them in the constraints.",
+            )  # fmt: skip
         conversion = basis.to(bezier(basis.degree))
         return cls.from_bezier(np.array(conversion.tolist(), dtype=float) @ rows, domain)
 
@@ -97,10 +102,17 @@ class Curve:
                 [0.5, 0. ],
                 [1. , 1. ]]])
         """
+        name = t.name if isinstance(t, sp.Symbol) else t
+        coordinates = as_list(expressions)
+        if not coordinates or not isinstance(t, sp.Symbol):
+            raise BadType(
+                "a list of polynomials and their symbol", shown((expressions, name)),
+                "Write Curve.from_expressions([t, t**2], t).",
+            )  # fmt: skip
         breaks = _breaks(domain, 1)
         start, end = (sp.Rational(float(b)) for b in breaks)
         local = [_polynomial(e, t).compose(sp.Poly(start + (end - start) * t, t))
-                 for e in expressions]  # fmt: skip
+                 for e in coordinates]  # fmt: skip
         degree = max(1, *(p.degree() for p in local))
         powers = [[p.coeff_monomial(t**k) for p in local] for k in range(degree, -1, -1)]
         points = bezier(degree).matrix.inv() * sp.Matrix(powers)
@@ -137,7 +149,7 @@ class Curve:
         Horner's rule up to degree `HORNER_DEGREE`; above it the Bernstein form, whose error does
         not grow with the degree (Volk and Schumaker, CAGD 1986).
         """
-        t = _parameters(t)
+        t = real_array(t, "parameters")
         self._refuse_outside(t)
         flat = t.ravel()
         segment, local = self._locate(flat)
@@ -226,6 +238,8 @@ def _segments(points: Any) -> np.ndarray:
     depth = np.ndim(points) if isinstance(points, np.ndarray) else _depth(points)
     if depth != 3:
         return float_points(points)[None]
+    if not len(points):
+        raise BadValue("at least one segment", "none", "Give control points.")
     segments = [float_points(segment) for segment in points]
     if len({segment.shape for segment in segments}) > 1:
         raise BadValue(
@@ -245,7 +259,9 @@ def _depth(points: Any) -> int:
 
 
 def _breaks(domain: Any, segments: int) -> np.ndarray:
-    ends = float_points([list(domain)])[0]
+    ends = real_array(domain, "breaks")
+    if ends.ndim != 1 or len(ends) < 2 or not np.isfinite(ends).all():
+        raise BadValue("(start, end)", shown(domain), "Give two finite numbers.")
     breaks = np.linspace(ends[0], ends[1], segments + 1) if len(ends) == 2 else ends
     if len(breaks) != segments + 1 or not (np.diff(breaks) > 0).all():
         raise BadValue(
@@ -256,24 +272,10 @@ def _breaks(domain: Any, segments: int) -> np.ndarray:
     return breaks
 
 
-def _parameters(t: Any) -> np.ndarray:
-    try:
-        array = np.asarray(t)
-        if array.dtype.kind in "iuf" or (array.dtype.kind == "O" and not _has_text(array)):
-            return array.astype(float)
-    except (TypeError, ValueError):
-        pass
-    raise BadType("real numbers as parameters", shown(t), "Give a number or an array of numbers.")
-
-
-def _has_text(array: np.ndarray) -> bool:
-    """Tell whether NumPy would turn something into a number that is none."""
-    return any(entry is None or isinstance(entry, str | bytes) for entry in array.flat)
-
-
 def _polynomial(expression: Any, t: sp.Symbol) -> sp.Poly:
     expression = expression if isinstance(expression, sp.Expr) else exact(expression)
-    polynomial = expression.as_poly(t)
+    same = {s: t for s in expression.free_symbols if s.name == t.name}  # matched by name
+    polynomial = expression.xreplace(same).as_poly(t)
     if polynomial is None or not all(c.is_number and c.is_real for c in polynomial.coeffs()):
         raise BadValue(
             f"polynomials in {t} with numbers as coefficients",

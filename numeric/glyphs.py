@@ -71,7 +71,10 @@ def glyph(character: str, font: str = "DejaVu Sans") -> Glyph:
         character that the font does not have.
     """
     if not isinstance(character, str) or len(character) != 1:
-        raise BadValue("one character", shown(character), 'Ask for one letter, such as glyph("a").')
+        count = f", {len(character)} characters" if isinstance(character, str) else ""
+        raise BadValue(
+            "one character", shown(character) + count, 'Ask for one letter, such as glyph("a").'
+        )
     tables = _font(str(_font_file(font)))
     name = tables.getBestCmap().get(ord(character))
     if name is None:
@@ -115,6 +118,8 @@ def _with_implied_points(contour: tuple[tuple[int, int, bool], ...]) -> list[tup
 def _font_file(font: str) -> Path:
     import matplotlib
 
+    if not isinstance(font, str | Path) or len(str(font)) > 500:
+        raise BadValue("the name or path of a font", shown(font), 'Try glyph("a", "DejaVu Sans").')
     shipped = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
     for candidate in (Path(font), shipped / f"{str(font).replace(' ', '')}.ttf"):
         if candidate.suffix.lower() == ".ttf" and candidate.is_file():
@@ -129,7 +134,8 @@ def _font(path: str) -> Any:
 
     try:
         tables = TTFont(BytesIO(Path(path).read_bytes()), lazy=True)
-    except TTLibError as error:
+        tables.getBestCmap()  # read now what a damaged file may lack
+    except (TTLibError, KeyError, AssertionError) as error:
         raise BadValue("a TrueType font file", f"{path} ({error})", "Give another file.") from None
     if "glyf" not in tables:
         raise BadValue("a font with TrueType outlines", path, "Cubic (CFF) fonts come later.")

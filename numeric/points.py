@@ -47,6 +47,24 @@ def float_points(points: Any) -> np.ndarray:
     return array
 
 
+def real_array(values: Any, what: str) -> np.ndarray:
+    """Return a number or numbers in any nesting as a float64 array; NaN passes.
+
+    >>> real_array([1, 2.5], "parameters")
+    array([1. , 2.5])
+    """
+    try:
+        array = np.asarray(values)
+        foreign = array.dtype.kind == "O" and any(
+            entry is None or isinstance(entry, str | bytes | bool) for entry in array.flat
+        )
+        if array.dtype.kind in "iufO" and not foreign:
+            return array.astype(float)
+    except (TypeError, ValueError):
+        pass
+    raise BadType(f"real numbers as {what}", shown(values), "Give a number or an array of numbers.")
+
+
 def _array(points: Any) -> np.ndarray:
     if isinstance(points, np.ndarray) and points.dtype.kind in "iuf":
         return points.astype(float)
@@ -57,7 +75,7 @@ def _array(points: Any) -> np.ndarray:
     except ValueError:
         raise _ragged(points) from None
     flat = entries.ravel()
-    if any(isinstance(entry, str | bytes | bool) for entry in flat):
+    if any(entry is None or isinstance(entry, str | bytes | bool) for entry in flat):
         raise BadType("numbers as coordinates", shown(points), "Text is never parsed.")
     if any(isinstance(entry, list | tuple) for entry in flat):
         raise _ragged(points)

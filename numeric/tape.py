@@ -14,10 +14,11 @@ import numpy as np
 import sympy as sp
 
 from symbolic.errors import BadType, BadValue, shown
-from symbolic.exact import exact
+from symbolic.exact import as_list, exact
 
 from .compile import Program
 from .operations import ARITY, KERNELS
+from .points import real_array
 
 
 @dataclass(frozen=True)
@@ -74,7 +75,7 @@ class Tape:
         array([[11., 10.],
                [12., 20.]])
         """
-        arrays = [np.asarray(value, dtype=float) for value in self._ordered(values)]
+        arrays = [real_array(value, "inputs") for value in self._ordered(values)]
         common = np.broadcast_shapes(*(array.shape for array in arrays))
         constants = [c[0] / c[1] if isinstance(c, tuple) else float(c) for c in self.constants]
         registers: list[Any] = [*arrays, *constants]
@@ -114,7 +115,7 @@ class Tape:
 
     @classmethod
     def from_json(cls, data: Mapping[str, Any]) -> Tape:
-        """Read what `to_json` wrote.
+        """Read what `to_json` wrote; anything else is not checked.
 
         >>> x = sp.Symbol("x")
         >>> tape = compile_tape({"y": x**2 / 3}, [x])
@@ -144,10 +145,10 @@ class Tape:
             if set(by_name) == set(self.inputs):
                 return [by_name[name] for name in self.inputs]
             received = ", ".join(by_name) or "none"
-        elif len(values) == len(self.inputs):
+        elif isinstance(values, list | tuple | np.ndarray) and len(values) == len(self.inputs):
             return list(values)
         else:
-            received = f"{len(values)} values"
+            received = shown(values)
         raise BadValue(
             f"one value for each of the inputs {', '.join(self.inputs)}",
             received,
@@ -211,10 +212,12 @@ def _refuse_duplicates(inputs: Sequence[sp.Symbol]) -> None:
 
 
 def _flattened(value: Any) -> tuple[tuple[int, ...], list[sp.Expr]]:
-    if hasattr(value, "tolist"):  # matrices of SymPy, arrays of NumPy
-        value = value.tolist()
-    if not isinstance(value, list | tuple):
+    entries = as_list(value)
+    if entries is None:
         return (), [_scalar(value)]
+    value = entries
+    if not value:
+        raise BadValue("at least one expression", "an empty list", "Leave the output out.")
     parts = [_flattened(entry) for entry in value]
     shapes = {shape for shape, _ in parts}
     if len(shapes) > 1:
@@ -224,6 +227,6 @@ def _flattened(value: Any) -> tuple[tuple[int, ...], list[sp.Expr]]:
 
 
 def _scalar(value: Any) -> sp.Expr:
-    if isinstance(value, sp.Expr):
+    if isinstance(value, sp.Expr) and not isinstance(value, sp.MatrixExpr):
         return value  # floats inside are welcome here, where everything becomes one
     return sp.Float(value) if isinstance(value, float) else exact(value)

@@ -10,12 +10,11 @@ from typing import Any, Literal
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from .constraints import PARAMETER
 from .derivation import Derivation
-from .errors import BadValue, shown
+from .errors import BadType, BadValue, shown
 from .exact import exact_points
 from .exact_matrix import product, to_matrix
-
-PARAMETER = sp.Symbol("t")
 
 
 @dataclass(frozen=True)
@@ -145,6 +144,8 @@ class Basis:
         [-3, 3,  0, 0],
         [ 0, 0, -3, 3]])
         """
+        if not isinstance(other, Basis):
+            raise BadType("a basis", shown(other), "Write for example hermite().to(bezier(3)).")
         if self.degree != other.degree:
             raise BadValue(
                 f"another basis of degree {self.degree}, as {self.name}",

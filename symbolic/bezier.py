@@ -6,13 +6,14 @@ from functools import lru_cache
 
 import sympy as sp
 
-from .basis import PARAMETER, Basis, Geometry
+from .basis import Basis, Geometry
+from .constraints import PARAMETER
 from .derivation import Derivation, Step
 from .errors import BadValue, shown
+from .exact import whole_number
 from .exact_matrix import dense
 
 
-@lru_cache(maxsize=64)
 def bezier(n: int) -> Basis:
     r"""Return the Bernstein basis of degree n >= 1, with G = (P0, ..., Pn).
 
@@ -31,10 +32,11 @@ def bezier(n: int) -> Basis:
     >>> bezier(3).derivation.is_proved
     True
     """
-    if isinstance(n, bool) or not isinstance(n, int) or n < 1:
-        raise BadValue(
-            "a degree 1, 2, 3, ...", shown(n), "A curve of degree n has n + 1 control points."
-        )
+    return _bezier(_degree(n, 1))
+
+
+@lru_cache(maxsize=64)
+def _bezier(n: int) -> Basis:
     rows = [
         [(-1) ** (k - i) * sp.binomial(n, k) * sp.binomial(k, i) for i in range(n + 1)]
         for k in range(n, -1, -1)
@@ -44,13 +46,23 @@ def bezier(n: int) -> Basis:
 
 
 def bernstein(n: int) -> tuple[sp.Expr, ...]:
-    """Return the Bernstein polynomials of degree n in product form, C(n, i) t^i (1 - t)^(n-i).
+    """Return the Bernstein polynomials of degree n >= 0 in product form, C(n, i) t^i (1 - t)^(n-i).
 
     >>> bernstein(2)
     ((1 - t)**2, 2*t*(1 - t), t**2)
     """
-    t = PARAMETER
+    t, n = PARAMETER, _degree(n, 0)
     return tuple(sp.binomial(n, i) * t**i * (1 - t) ** (n - i) for i in range(n + 1))
+
+
+def _degree(n: int, lowest: int) -> int:
+    degree = whole_number(n)
+    if degree is None or degree < lowest:
+        first = ", ".join(str(lowest + i) for i in range(3))
+        raise BadValue(
+            f"a degree {first}, ...", shown(n), "A curve of degree n has n + 1 control points."
+        )
+    return degree
 
 
 def _derivation(basis: Basis) -> Derivation:

@@ -7,9 +7,11 @@ from dataclasses import replace
 from typing import Any
 
 from .errors import BadType, BadValue, NotExact
+from .exact import as_list
 from .mistakes import typical_mistakes
-from .proof import prove, shape
-from .verdict import Proved, Refuted, Undecided, Verdict
+from .proof import prove_sides
+from .side import Side, read_side
+from .verdict import Proved, Refuted, Undecided, Verdict, shown_number
 
 
 def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None) -> Verdict:
@@ -30,7 +32,8 @@ def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None)
     Returns
     -------
     Verdict
-        Proved, Refuted or Undecided, with a `diagnosis` for the learner. Answers never raise.
+        Proved, Refuted or Undecided, with a `diagnosis` for the learner. Answers never raise;
+        an `expected` or a mistake that cannot be read does.
 
     Examples
     --------
@@ -42,51 +45,47 @@ def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None)
     >>> print(check(..., 1).diagnosis)
     Not answered yet: put your answer in place of the dots.
     """
-    if answer is None or answer is ...:
+    right = read_side(expected)
+    if _is_open(answer):
         return Undecided(
             "there is no answer",
             diagnosis="Not answered yet: put your answer in place of the dots.",
         )
     try:
-        verdict = _compare(answer, expected)
+        given = read_side(answer)
+        verdict = prove_sides(given, right)
     except NotExact as error:
         return Undecided("the answer is not exact", diagnosis=f"Use exact numbers. {error.remedy}")
     except (BadType, BadValue) as error:
-        return Undecided("the answer cannot be read", diagnosis=str(error))
-    if isinstance(verdict, Proved):
-        return replace(verdict, diagnosis="Right.")
+        return Undecided("the answer cannot be compared", diagnosis=str(error))
     if isinstance(verdict, Undecided):
-        return replace(verdict, diagnosis="This could not be decided; write it as a polynomial.")
-    return replace(verdict, diagnosis=_diagnosis(answer, expected, mistakes or {}, verdict))
+        return replace(verdict, diagnosis=f"This could not be decided: {verdict.why}.")
+    if isinstance(verdict, Refuted):
+        return replace(verdict, diagnosis=_diagnosis(given, expected, mistakes or {}, verdict))
+    return replace(verdict, diagnosis="Right.")
 
 
-def _compare(answer: Any, expected: Any) -> Verdict:
-    if shape(answer) == shape(expected):
-        return prove(answer, expected)
-    raise BadType(
-        f"{_in_words(shape(expected))}", _in_words(shape(answer)), "Bring it into this form."
-    )
+def _is_open(answer: Any, depth: int = 0) -> bool:
+    """Tell whether dots are left somewhere in an answer."""
+    if answer is None or answer is ...:
+        return True
+    entries = as_list(answer) if depth < 3 else None
+    return any(_is_open(entry, depth + 1) for entry in entries or ())
 
 
-def _diagnosis(answer: Any, expected: Any, mistakes: Mapping[str, Any], verdict: Verdict) -> str:
+def _diagnosis(given: Side, expected: Any, mistakes: Mapping[str, Any], verdict: Refuted) -> str:
     for known in (mistakes, typical_mistakes(expected)):
-        found = [sentence for sentence, wrong in known.items() if _equal(answer, wrong)]
+        found = [sentence for sentence, wrong in known.items() if _equal(given, read_side(wrong))]
         if len(found) == 1:
             return found[0]
         if found:
             return "One of these: " + " Or: ".join(found)
-    assert isinstance(verdict, Refuted)
     where = f"In {verdict.where}: " if verdict.where else ""
     values = ", ".join(f"{name} = {value}" for name, value in verdict.witness.items())
-    at = f"at {values} " if values else ""
-    return f"Not yet. {where}{at}your answer gives {verdict.left}, which is not the right value."
+    answer = f"at {values} your answer" if values else "your answer"
+    sentence = f"{where}{answer} gives {shown_number(verdict.left)}, which is not the right value."
+    return f"Not yet. {sentence[0].upper()}{sentence[1:]}"
 
 
-def _equal(answer: Any, wrong: Any) -> bool:
-    return shape(answer) == shape(wrong) and isinstance(prove(answer, wrong), Proved)
-
-
-def _in_words(size: tuple[int, ...]) -> str:
-    if not size:
-        return "one number or expression"
-    return "x".join(map(str, size)) + (" entries" if len(size) > 1 else " entries in a list")
+def _equal(given: Side, wrong: Side) -> bool:
+    return given.shape == wrong.shape and isinstance(prove_sides(given, wrong), Proved)

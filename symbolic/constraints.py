@@ -7,8 +7,12 @@ from typing import Any
 
 import sympy as sp
 
+from .dag import postorder
 from .errors import BadValue, shown
-from .exact import exact
+from .exact import by_name, exact, whole_number
+
+PARAMETER = sp.Symbol("t")
+"""The parameter of every curve."""
 
 
 @dataclass(frozen=True)
@@ -48,7 +52,7 @@ def value(at: Any) -> Condition:
     >>> print(value(0))
     c(0)
     """
-    return Condition(exact(at), 0)
+    return Condition(_parameter(at), 0)
 
 
 def derivative(at: Any, order: int = 1) -> Condition:
@@ -57,8 +61,22 @@ def derivative(at: Any, order: int = 1) -> Condition:
     >>> print(derivative(1, order=2))
     c''(1)
     """
-    if isinstance(order, bool) or not isinstance(order, int) or order < 1:
+    whole = whole_number(order)
+    if whole is None or whole < 1:
         raise BadValue(
             "a derivative of order 1, 2, 3, ...", shown(order), "For order 0 use value(at)."
         )
-    return Condition(exact(at), order)
+    return Condition(_parameter(at), whole)
+
+
+def _parameter(at: Any) -> sp.Expr:
+    """Read a parameter of numbers, roots and symbols: of these, zero can be told for certain."""
+    expression = by_name(exact(at))
+    functions = [node for node in postorder([expression]) if node.is_Function or node is sp.pi]
+    if functions or PARAMETER in expression.free_symbols:
+        raise BadValue(
+            "a parameter made of numbers, roots and other symbols than t",
+            shown(at),
+            "Use a rational number or a symbol such as a.",
+        )
+    return expression

@@ -2,15 +2,15 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 from decimal import Decimal
 from fractions import Fraction
-from numbers import Integral, Rational, Real
+from numbers import Rational, Real
+from operator import index
 from typing import Any
 
 import sympy as sp
 
-from .dag import postorder
+from .dag import postorder, substitute
 from .errors import BadType, BadValue, NotExact, shown
 
 Point = tuple[sp.Expr, ...]
@@ -36,23 +36,25 @@ def exact(value: Any) -> sp.Expr:
     >>> exact(Fraction(1, 3)), exact(Decimal("0.25"))
     (1/3, 1/4)
     """
-    if isinstance(value, sp.Expr):
+    if isinstance(value, sp.Expr) and not isinstance(value, sp.MatrixExpr):
         return _finite_and_exact(value)
     if hasattr(value, "item") and getattr(value, "shape", None) == ():
         value = value.item()  # zero-dimensional NumPy arrays and NumPy scalars
-    if isinstance(value, bool | str | bytes):
+    if isinstance(value, str | bytes):
         raise BadType(
             "a number or a SymPy expression",
             shown(value),
             "Text is never parsed: write Rational(1, 10), or a Symbol.",
         )
-    if isinstance(value, Integral):
-        return sp.Integer(int(value))
-    if isinstance(value, Rational):
+    if whole_number(value) is not None:
+        return sp.Integer(whole_number(value))
+    if isinstance(value, Rational) and not isinstance(value, bool):
         return sp.Rational(int(value.numerator), int(value.denominator))
     if isinstance(value, Decimal) and value.is_finite():
         return exact(Fraction(value))
-    if isinstance(value, Real | Decimal):
+    if isinstance(value, Decimal):
+        _refuse_float(float("nan"))
+    if isinstance(value, Real) and not isinstance(value, bool):
         _refuse_float(float(value))
     raise BadType("a number or a SymPy expression", shown(value), "Use int, Fraction or Rational.")
 
@@ -106,23 +108,64 @@ def _refuse_float(value: float) -> None:
     )
 
 
+def by_name(expression: sp.Expr) -> sp.Expr:
+    """Return an expression whose symbols have no assumptions: they are matched by name.
+
+    >>> by_name(sp.Symbol("x", positive=True) + 1) == sp.Symbol("x") + 1
+    True
+    """
+    symbols = [node for node in postorder([expression]) if type(node) is sp.Symbol]
+    return substitute([expression], {symbol: sp.Symbol(symbol.name) for symbol in symbols})[0]
+
+
+def as_list(value: Any) -> list[Any] | None:
+    """Return the entries of a list, tuple, array or matrix (row by row); None for anything else.
+
+    Sets and dictionaries have no order, and an iterator can be read only once: they are no lists.
+
+    >>> as_list(sp.Matrix([[1, 2], [3, 4]])), as_list({1, 2})
+    ([[1, 2], [3, 4]], None)
+    """
+    if isinstance(value, list | tuple | range | sp.Tuple):
+        return list(value)
+    if isinstance(value, sp.Point):
+        return list(value.args)
+    if hasattr(value, "tolist") and getattr(value, "shape", ()) != ():  # SymPy's and NumPy's arrays
+        return list(value.tolist())
+    return None
+
+
+def whole_number(value: Any) -> int | None:
+    """Return an int, NumPy or SymPy integer as an int; None for anything else.
+
+    >>> whole_number(sp.Integer(3)), whole_number(3.0), whole_number(True)
+    (3, None, None)
+    """
+    if isinstance(value, bool):
+        return None
+    try:
+        return index(value)
+    except TypeError:
+        return None
+
+
 def _rows(points: Any) -> list[Any]:
-    if isinstance(points, sp.MatrixBase):
-        return points.tolist()
-    if isinstance(points, str | bytes | dict) or not isinstance(points, Iterable):
+    rows = as_list(points)
+    if rows is None:
         raise BadType(
-            "control points as rows", shown(points), "Give rows like [[0, 0], [1, 2], [3, 0]]."
+            "control points as a list of rows",
+            shown(points),
+            "Give rows like [[0, 0], [1, 2], [3, 0]].",
         )
-    return list(points)
+    return rows
 
 
 def _row(row: Any) -> Point:
-    if isinstance(row, str | bytes):
-        exact(row)
-    if not isinstance(row, Iterable):
+    coordinates = as_list(row)
+    if coordinates is None:
         raise BadValue(
             "every control point as a row of coordinates",
-            f"the bare coordinate {shown(row)}",
+            f"the bare coordinate {exact(row)}",
             "Write [[0], [1], [3]] for points on a line, [[0, 0], [1, 2]] in the plane.",
         )
-    return tuple(exact(coordinate) for coordinate in row)
+    return tuple(exact(coordinate) for coordinate in coordinates)

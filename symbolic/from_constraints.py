@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import partial
 from typing import Any
 
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from .basis import PARAMETER, Basis, Geometry
-from .constraints import Condition
+from .basis import Basis, Geometry
+from .constraints import PARAMETER, Condition
 from .derivation import Derivation, Step
 from .errors import BadType, BadValue, UnsolvableConstraints, shown
-from .exact import exact
+from .exact import as_list, by_name, exact
 from .exact_matrix import dense, product, solution, to_matrix
 
 _LETTERS = {0: "P", 1: "T", 2: "A", 3: "J"}  # position, tangent, acceleration, jerk
@@ -65,7 +66,7 @@ def basis_from(
     degree = len(conditions) - 1
     system = dense([condition.row(degree) for condition in conditions])
     demands = dense([_linear_in(entries, right) for right in combinations])
-    _refuse_unsolvable(system, demands, conditions, combinations)
+    _refuse_unsolvable(system, conditions, combinations)
     inverse = system.inv().to_dense()
     matrix = product(inverse, demands)
     constant_curve = solution(demands, system[:, degree:])
@@ -77,14 +78,24 @@ def basis_from(
             for symbol, kind in zip(entries, kinds, strict=True)
         ),
         matrix,
-        lambda basis: _derivation(basis, conditions, combinations, system, inverse, demands),
+        partial(
+            _derivation,
+            conditions=conditions,
+            combinations=combinations,
+            system=system,
+            inverse=inverse,
+            demands=demands,
+        ),  # fmt: skip
     )
 
 
 def _read(constraints: Iterable[Any]) -> tuple[list[Condition], list[sp.Expr]]:
     conditions: list[Condition] = []
     combinations: list[sp.Expr | None] = []
-    for entry in constraints:
+    listed = as_list(constraints)
+    if listed is None:
+        raise BadType("a list of constraints", shown(constraints), "Write [value(0), value(1)].")
+    for entry in listed:
         bare = isinstance(entry, Condition)
         pair = (entry, None) if bare else entry
         if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], Condition)):
@@ -94,7 +105,7 @@ def _read(constraints: Iterable[Any]) -> tuple[list[Condition], list[sp.Expr]]:
                 "Write for example (derivative(0), 3*(P1 - P0)).",
             )
         conditions.append(pair[0])
-        combinations.append(None if bare else exact(pair[1]))
+        combinations.append(None if bare else by_name(exact(pair[1])))
     if not conditions:
         raise BadValue("at least one constraint", "none", "A cubic needs four.")
     taken = {str(s) for right in combinations if right is not None for s in right.free_symbols}
@@ -116,21 +127,38 @@ def _next_symbol(order: int, taken: set[str]) -> sp.Symbol:
 def _entries(
     combinations: Sequence[sp.Expr], geometry: Sequence[sp.Symbol] | None
 ) -> tuple[sp.Symbol, ...]:
-    if geometry is not None:
-        if not all(isinstance(symbol, sp.Symbol) for symbol in geometry):
-            raise BadType("symbols as geometry", shown(geometry), "Use symbols('P0:4').")
-        return tuple(sp.Symbol(symbol.name) for symbol in geometry)
-    found: dict[sp.Symbol, None] = {}
+    mentioned: dict[sp.Symbol, None] = {}
     for right in combinations:
-        for symbol in sorted(right.free_symbols, key=lambda s: str(s)):
-            found.setdefault(sp.Symbol(str(symbol)))
-    return tuple(found)
+        mentioned.update(dict.fromkeys(sorted(right.free_symbols, key=str)))
+    entries = tuple(mentioned) if geometry is None else _given(geometry)
+    unused = [str(symbol) for symbol in entries if symbol not in mentioned]
+    if unused or not entries:
+        raise BadValue(
+            "constraints that mention every entry of the geometry",
+            f"none with {', '.join(unused) or 'any'}",
+            "Leave it out, or add a constraint such as (value(0), P0).",
+        )
+    if PARAMETER in mentioned:
+        raise BadValue(
+            "combinations of points and vectors",
+            f"the curve's own parameter {PARAMETER}",
+            "Call it by another name.",
+        )
+    return entries
+
+
+def _given(geometry: Any) -> tuple[sp.Symbol, ...]:
+    symbols = as_list(geometry) or []
+    if not all(isinstance(s, sp.Symbol) for s in symbols) or len({*symbols}) != len(symbols):
+        raise BadType("different symbols as geometry", shown(geometry), "Use symbols('P0:4').")
+    if not symbols:
+        raise BadType("symbols as geometry", shown(geometry), "Use symbols('P0:4').")
+    return tuple(by_name(symbol) for symbol in symbols)
 
 
 def _linear_in(entries: Sequence[sp.Symbol], combination: sp.Expr) -> list[sp.Expr]:
-    by_name = {s: sp.Symbol(str(s)) for s in combination.free_symbols}
     try:
-        polynomial = sp.Poly(combination.xreplace(by_name), *entries)
+        polynomial = sp.Poly(combination, *entries)
         monomials = polynomial.as_dict()
     except sp.PolynomialError:
         monomials = {(2,): sp.S.One}
@@ -145,10 +173,7 @@ def _linear_in(entries: Sequence[sp.Symbol], combination: sp.Expr) -> list[sp.Ex
 
 
 def _refuse_unsolvable(
-    system: DomainMatrix,
-    demands: DomainMatrix,
-    conditions: Sequence[Condition],
-    combinations: Sequence[sp.Expr],
+    system: DomainMatrix, conditions: Sequence[Condition], combinations: Sequence[sp.Expr]
 ) -> None:
     relations = system.transpose().nullspace()
     if not relations.shape[0]:
@@ -157,13 +182,16 @@ def _refuse_unsolvable(
     involved = [i for i in range(len(conditions)) if relation[i] != 0]
     named = " and ".join(f"{conditions[i]} = {combinations[i]}" for i in involved)
     degree = len(conditions) - 1
-    contradictory = any(product(relations[:1, :], demands).to_list_flat())
-    trouble = "contradict each other" if contradictory else "do not determine it"
+    # The rows cancel, so the same combination of the right sides has to be zero.
+    demand = sp.Add(*(relation[i] * combinations[i] for i in involved))
+    trouble = f"which can hold together only if {demand} = 0"
     if len(involved) == 1:
-        trouble = f"can hold for no curve of degree {degree}, where {conditions[involved[0]]} is 0"
+        trouble = f"though {conditions[involved[0]]} is 0 for every curve of degree {degree}"
+    elif demand == 0:
+        trouble = "which say the same"
     raise UnsolvableConstraints(
         f"{degree + 1} independent constraints for a curve of degree {degree}",
-        f"{named}, which {trouble}",
+        f"{named}, {trouble}",
         "Replace one of them by a condition that says something else.",
     )
 

@@ -7,10 +7,10 @@ from functools import lru_cache
 from .basis import Basis
 from .constraints import derivative, value
 from .errors import BadValue, shown
+from .exact import whole_number
 from .from_constraints import basis_from
 
 
-@lru_cache(maxsize=32)
 def hermite(n: int = 3) -> Basis:
     r"""Return the Hermite basis of odd degree n, with G = (P0, P1, T0, T1, A0, A1, ...).
 
@@ -32,12 +32,18 @@ def hermite(n: int = 3) -> Basis:
     >>> print(*hermite(5).geometry)
     P0 P1 T0 T1 A0 A1
     """
-    if isinstance(n, bool) or not isinstance(n, int) or n < 1 or n % 2 == 0:
+    degree = whole_number(n)
+    if degree is None or degree < 1 or degree % 2 == 0:
         raise BadValue(
             "an odd degree 1, 3, 5, ...",
             shown(n),
             "Each end brings equally many constraints, so the degree is odd.",
         )
+    return _hermite(degree)
+
+
+@lru_cache(maxsize=32)
+def _hermite(n: int) -> Basis:
     orders = range((n + 1) // 2)
     constraints = [derivative(at, r) if r else value(at) for r in orders for at in (0, 1)]
     return basis_from(constraints, name=f"Hermite basis of degree {n}")

@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from .basis import PARAMETER
-from .proof import entries, shape
+from .constraints import PARAMETER
+from .side import read_side
 
 
 def typical_mistakes(expected: Any) -> dict[str, Any]:
@@ -21,16 +21,16 @@ def typical_mistakes(expected: Any) -> dict[str, Any]:
     >>> typical_mistakes((1 - t)**2)["The sign is reversed."]
     -(1 - t)**2
     """
-    size = shape(expected)
+    right = read_side(expected)
+    size = right.shape
     if len(size) == 2:
-        matrix = sp.ImmutableMatrix(*size, [entry for _, entry in entries(expected)])
+        matrix = sp.ImmutableMatrix(*size, right.scalars)
         square = isinstance(expected, sp.MatrixBase) and size[0] == size[1]
         found = _of_matrices(matrix) if square else _of_points(matrix)
         found["All signs are reversed."] = -matrix
     elif size == ():
-        expression = next(entries(expected))[1]
-        found = _of_expressions(expression)
-        matrix = expression
+        matrix = right.scalars[0]
+        found = _of_expressions(matrix)
     else:
         return {}
     return {sentence: wrong for sentence, wrong in found.items() if wrong != matrix}

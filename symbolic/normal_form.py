@@ -7,8 +7,10 @@ that holds for independent generators holds for their values, but not the other 
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from math import prod
+from operator import add, mul
 from typing import Any
 
 import sympy as sp
@@ -18,8 +20,12 @@ from sympy.polys.rings import PolyRing
 
 from .dag import postorder
 
+# Limits, so that a short text cannot keep a reader waiting for longer than a few seconds.
 HIGHEST_POWER = 512
-MOST_PRODUCTS = 4_000_000  # of terms in one multiplication: a second or two of work
+MOST_PRODUCTS = 300_000  # of terms in one multiplication of polynomials
+MOST_PRODUCTS_OF_FRACTIONS = 3_000  # every operation there looks for a common divisor
+MOST_BITS = 100_000  # of a coefficient
+HIGHEST_ALGEBRAIC_DEGREE = 8
 
 
 class NoNormalForm(Exception):
@@ -94,7 +100,15 @@ def _operands(node: sp.Basic) -> tuple[sp.Basic, ...]:
 def _is_radical(node: sp.Basic) -> bool:
     if node is sp.I:
         return True
-    return bool(node.is_Pow and node.base.is_Rational and node.exp.is_Rational)
+    return bool(node.is_Pow and node.base.is_Rational and node.base and node.exp.is_Rational)
+
+
+def _algebraic_field(radicals: Sequence[sp.Expr]) -> Any:
+    """Return the field of some radicals, if its degree stays small."""
+    degree = prod(2 if r is sp.I else int(r.exp.q) for r in radicals)
+    if degree > HIGHEST_ALGEBRAIC_DEGREE:
+        raise NoNormalForm(f"radicals of degree {degree} together are too many")
+    return sp.QQ.algebraic_field(*radicals)
 
 
 class _Leaves:
@@ -112,12 +126,13 @@ class _Leaves:
                 radicals.append(node)
             else:
                 self._add(node)
-        self.domain = sp.QQ.algebraic_field(*dict.fromkeys(radicals)) if radicals else sp.QQ
+        different = list(dict.fromkeys(radicals))
+        self.domain = _algebraic_field(different) if different else sp.QQ
 
     def _add(self, node: sp.Basic) -> None:
         if not isinstance(node, sp.Expr) or node.is_commutative is False:
             raise NoNormalForm(f"{node} is not a commutative expression")
-        if node in (sp.nan, sp.zoo, sp.oo, -sp.oo):
+        if node in (sp.nan, sp.zoo, sp.oo, -sp.oo) or (node.is_Pow and node.base == 0):
             raise NoNormalForm("one side is undefined or infinite")
         self.opaque = self.opaque or not node.is_Symbol
         if self._key(node) not in self._index:
@@ -137,9 +152,9 @@ def _element(
 ) -> Any:
     operands = [values[id(operand)] for operand in _operands(node)]
     if node.is_Add and operands:
-        return sum(operands[1:], operands[0])
+        return _folded(add, operands)
     if node.is_Mul and operands:
-        return _product(operands)
+        return _folded(mul, operands)
     if operands:
         return _power(operands[0], int(node.exp), divisors)
     position = leaves.position(node)
@@ -152,13 +167,26 @@ def _size(element: Any) -> int:
     return len(element.numer) + len(element.denom) if hasattr(element, "numer") else len(element)
 
 
-def _product(factors: list[Any]) -> Any:
-    result = factors[0]
-    for factor in factors[1:]:
-        if _size(result) * _size(factor) > MOST_PRODUCTS:
-            raise NoNormalForm("a product has too many terms to expand")
-        result = result * factor
+def _folded(operation: Callable[[Any, Any], Any], operands: Sequence[Any]) -> Any:
+    """Add or multiply one after the other, as long as the result stays within the limits."""
+    result = operands[0]
+    for operand in operands[1:]:
+        fractions = hasattr(result, "numer")
+        products = _size(result) * _size(operand)
+        if products > (MOST_PRODUCTS_OF_FRACTIONS if fractions else MOST_PRODUCTS) and (
+            fractions or operation is mul
+        ):
+            raise NoNormalForm("it has too many terms to expand")
+        result = operation(result, operand)
     return result
+
+
+def _bits(element: Any) -> int:
+    """Return the length of the longest coefficient; 0 for algebraic ones."""
+    parts = (element.numer, element.denom) if hasattr(element, "numer") else (element,)
+    numbers = [c for part in parts for c in part.values() if part.ring.domain == sp.QQ]
+    return max((max(abs(int(c.numerator)), int(c.denominator)).bit_length() for c in numbers),
+               default=0)  # fmt: skip
 
 
 def _power(base: Any, exponent: int, divisors: list[Any]) -> Any:
@@ -169,10 +197,12 @@ def _power(base: Any, exponent: int, divisors: list[Any]) -> Any:
             raise NoNormalForm("a denominator is identically zero")
         divisors.append(base)
         base, exponent = 1 / base, -exponent
+    if exponent * _bits(base) > MOST_BITS:
+        raise NoNormalForm("its numbers have too many digits")
     if exponent == 0:
-        return base**0
+        return base - base + 1  # also for the base 0, as SymPy has it
     result = base
     for bit in bin(exponent)[3:]:
-        result = _product([result, result])
-        result = _product([result, base]) if bit == "1" else result
+        result = _folded(mul, [result, result])
+        result = _folded(mul, [result, base]) if bit == "1" else result
     return result

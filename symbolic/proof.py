@@ -2,20 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
-from itertools import count
+from collections.abc import Iterator
+from itertools import count, product
 from typing import Any
 
 import sympy as sp
-from sympy.logic.boolalg import Boolean
 
-from .dag import postorder
-from .errors import BadType, shown
-from .exact import exact
+from .errors import BadType
 from .normal_form import NoNormalForm, NormalForms, normal_forms
+from .side import Side, evaluated, read_side
 from .verdict import Proved, Refuted, Undecided, Verdict
-
-_EVALUATED = (sp.Derivative, sp.Subs, sp.Sum, sp.Product, sp.Integral)
 
 
 def prove(left: Any, right: Any) -> Verdict:
@@ -51,15 +47,20 @@ def prove(left: Any, right: Any) -> Verdict:
     >>> prove(sp.sin(t)**2 + sp.cos(t)**2, 1)
     Undecided: equal only if something is known about cos(t), sin(t).
     """
-    shape_left, shape_right = shape(left), shape(right)
-    if shape_left != shape_right:
+    return prove_sides(read_side(left), read_side(right))
+
+
+def prove_sides(left: Side, right: Side) -> Verdict:
+    """Decide as `prove` does, for sides that are read already."""
+    if left.shape != right.shape:
         raise BadType(
-            f"two sides of one shape, here {_shape_in_words(shape_left)} as on the left",
-            f"{_shape_in_words(shape_right)} on the right",
+            f"two sides of one shape, here {shape_in_words(left.shape)} as on the left",
+            f"{shape_in_words(right.shape)} on the right",
             "Compare like with like.",
         )
-    verdicts = []
-    for (place, a), (_, b) in zip(entries(left), entries(right), strict=True):
+    verdicts: list[Verdict] = []
+    places = product(*map(range, left.shape))
+    for place, a, b in zip(places, left.scalars, right.scalars, strict=True):
         verdicts.append(_decide(a, b, place))
         if isinstance(verdicts[-1], Refuted):
             return verdicts[-1]
@@ -68,44 +69,13 @@ def prove(left: Any, right: Any) -> Verdict:
     return undecided[0] if undecided else Proved(max(kinds, key=len, default="empty lists"))
 
 
-def shape(side: Any) -> tuple[int, ...]:
-    """Return the shape of one side: () for an expression, (rows, columns) for a matrix."""
-    if isinstance(side, sp.MatrixBase | sp.MatrixExpr):
-        return tuple(int(size) for size in side.shape)
-    if isinstance(side, Boolean) and not isinstance(side, sp.Expr):
-        raise BadType("an expression", shown(side), "Give its left and right side separately.")
-    if isinstance(side, str | bytes | sp.Expr) or not isinstance(side, Iterable):
-        return ()
-    shapes = [shape(entry) for entry in side]
-    if len(set(shapes)) > 1:
-        raise BadType("a list of entries of one kind", shown(side), "Make its rows equally long.")
-    return (len(shapes), *(shapes[0] if shapes else ()))
-
-
-def entries(side: Any, place: tuple[int, ...] = ()) -> Iterator[tuple[tuple[int, ...], sp.Expr]]:
-    """Yield every scalar of one side with its 0-based position, row by row."""
-    if isinstance(side, sp.MatrixExpr):
-        side = side.doit()
-    if isinstance(side, sp.MatrixBase):
-        side = side.tolist()
-    if isinstance(side, str | bytes | sp.Expr) or not isinstance(side, Iterable):
-        yield place, _evaluated(exact(side))
-    else:
-        for i, entry in enumerate(side):
-            yield from entries(entry, (*place, i))
-
-
-def _evaluated(expression: sp.Expr) -> sp.Expr:
-    if any(isinstance(node, _EVALUATED) for node in postorder([expression])):
-        return exact(expression.doit())
-    return expression
-
-
 def _decide(left: sp.Expr, right: sp.Expr, place: tuple[int, ...]) -> Verdict:
     try:
-        forms = normal_forms([left, right])
+        forms = normal_forms([evaluated(left), evaluated(right)])
     except NoNormalForm as reason:
         return Undecided(str(reason))
+    except RecursionError:  # SymPy's own traversals
+        return Undecided("an expression is nested too deeply")
     a, b = forms.elements
     difference = a - b  # over algebraic numbers equal quotients may be written differently
     if not difference:
@@ -166,7 +136,12 @@ def _place_in_words(place: tuple[int, ...]) -> str:
     return ", ".join(f"{name} {i + 1}" for name, i in zip(names, place, strict=True))
 
 
-def _shape_in_words(size: tuple[int, ...]) -> str:
+def shape_in_words(size: tuple[int, ...]) -> str:
+    """Say a shape as a person would.
+
+    >>> shape_in_words(()), shape_in_words((3,)), shape_in_words((4, 4))
+    ('one expression', 'a list of 3', '4x4 entries')
+    """
     if not size:
         return "one expression"
-    return f"{size[0]} entries" if len(size) == 1 else "x".join(map(str, size))
+    return f"a list of {size[0]}" if len(size) == 1 else "x".join(map(str, size)) + " entries"

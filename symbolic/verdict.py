@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
+from math import log10
 
 import sympy as sp
 
@@ -64,7 +65,18 @@ class Refuted(Verdict):
         place = f" in {self.where}" if self.where else ""
         values = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
         at = f" at {values}" if values else ""
-        return f"Refuted{place}:{at} the left side is {self.left} and the right side {self.right}."
+        left, right = shown_number(self.left), shown_number(self.right)
+        return f"Refuted{place}:{at} the left side is {left} and the right side {right}."
+
+
+def shown_number(value: sp.Expr) -> str:
+    """Return a number as text; one with hundreds of digits only by its size.
+
+    >>> shown_number(sp.Integer(10)**400)
+    'a number of about 401 digits'
+    """
+    bits = max(abs(value.p), value.q).bit_length() if value.is_Rational else 0
+    return f"a number of about {1 + int(bits * log10(2))} digits" if bits > 1000 else str(value)
 
 
 @dataclass(frozen=True, repr=False)

@@ -10,7 +10,16 @@ from hypothesis import strategies as st
 
 from numeric import Curve
 from numeric.curve import HORNER_DEGREE
-from symbolic import BadType, BadValue, OutsideDomain, bezier, de_casteljau, hermite
+from symbolic import (
+    BadType,
+    BadValue,
+    OutsideDomain,
+    basis_from,
+    bezier,
+    de_casteljau,
+    hermite,
+    value,
+)
 
 t = sp.Symbol("t")
 dyadic = st.integers(-1024, 1024).map(lambda k: Fraction(k, 64))  # exact as floats
@@ -161,3 +170,25 @@ def test_bad_domains(domain):
 def test_expressions_that_are_no_polynomials(expression):
     with pytest.raises(BadValue, match="polynomials in t"):
         Curve.from_expressions([expression], t)
+
+
+@pytest.mark.parametrize("build", [
+    lambda: Curve.from_bezier([[0, 0], [1, 1]], 5),
+    lambda: Curve.from_bezier([[0, 0], [1, 1]], None),
+    lambda: Curve.from_bezier([[0, 0], [1, 1]], "01"),
+    lambda: Curve.from_bezier([[0, 0], [1, 1]], (0, float("inf"))),
+    lambda: Curve.from_bezier([[None, 0], [1, 1]]),
+    lambda: Curve.from_bezier(np.zeros((0, 3, 2))),
+    lambda: Curve.from_expressions([], t),
+    lambda: Curve.from_expressions(t**2, t),
+    lambda: Curve.from_expressions([t], "t"),
+    lambda: Curve.from_basis(basis_from([value(0), value(sp.Symbol("a"))]), [[0], [1]]),
+])  # fmt: skip
+def test_every_way_in_is_guarded(build):
+    with pytest.raises((BadType, BadValue), match="Expected"):
+        build()
+
+
+def test_the_symbol_of_an_expression_is_matched_by_name():
+    curve = Curve.from_expressions([sp.Symbol("t", real=True) ** 2], t)
+    assert curve(0.5) == pytest.approx(0.25)

@@ -171,3 +171,31 @@ def test_bad_input(outputs, inputs, error, said):
 def test_wrong_number_of_values(given_values):
     with pytest.raises(BadValue, match="x, y"):
         compile_tape({"f": x + y}, [x, y]).run(given_values)
+
+
+@pytest.mark.parametrize("factors", [
+    (x, -1), (x, -2, y), (-1, -1, x), (-1, x + 1, -1), (sp.Rational(1, 2), x, sp.Rational(-1, 3)),
+], ids=str)  # fmt: skip
+def test_signs_of_products_that_sympy_left_alone(factors):
+    product = sp.Mul(*factors, evaluate=False)
+    expected = float(np.prod([float(sp.sympify(f).subs({x: 5, y: 3})) for f in factors]))
+    tape = compile_tape({"p": product, "s": sp.Add(1, product, evaluate=False)}, [x, y])
+    outputs = tape.run([5.0, 3.0])
+    assert outputs["p"] == pytest.approx(expected)
+    assert outputs["s"] == pytest.approx(1 + expected)
+
+
+def test_a_power_of_zero_is_one():
+    assert compile_tape({"f": sp.Pow(x, 0, evaluate=False)}, [x]).run([0.0])["f"] == 1
+
+
+@pytest.mark.parametrize("outputs", [{"f": sp.Integer(10) ** 400 * x}, {"f": []}])
+def test_what_no_json_number_and_no_array_can_hold(outputs):
+    with pytest.raises((BadType, BadValue), match="Expected"):
+        compile_tape(outputs, [x])
+
+
+@pytest.mark.parametrize("given_value", ["5", None, 1j, True])
+def test_values_that_are_not_numbers(given_value):
+    with pytest.raises(BadType, match="real numbers"):
+        compile_tape({"f": x}, [x]).run([given_value])

@@ -1,5 +1,7 @@
 """Bad input gets one sentence: what was expected, what came, how to mend it."""
 
+import pickle
+
 import numpy as np
 import pytest
 import sympy as sp
@@ -10,6 +12,7 @@ from symbolic import (
     NotExact,
     UnsolvableConstraints,
     basis_from,
+    bernstein,
     bezier,
     de_casteljau,
     derivative,
@@ -60,13 +63,13 @@ def test_bad_hermite_degrees(n):
 CONSTRAINTS = {
     "a repeated value": (
         [value(0), value(0), value(1)], UnsolvableConstraints,
-        r"c\(0\) = P0 and c\(0\) = P1, which contradict"),
+        r"c\(0\) = P0 and c\(0\) = P1, which can hold together only if -P0 \\+ P1 = 0"),
     "the same demand twice": (
-        [(value(0), P0), (value(0), P0)], UnsolvableConstraints, "do not determine"),
+        [(value(0), P0), (value(0), P0)], UnsolvableConstraints, "which say the same"),
     "no position anywhere": (
         [derivative(0), derivative(1)], UnsolvableConstraints, r"c'\(0\) = T0 and c'\(1\) = T1"),
     "a derivative that is always zero": (
-        [value(0), derivative(0, order=3)], UnsolvableConstraints, r"c'''\(0\) = J0, which can"),
+        [value(0), derivative(0, order=3)], UnsolvableConstraints, r"c'''\(0\) = J0, though"),
     "a dependent triple": (
         [value(-1), value(1), derivative(0)], UnsolvableConstraints,
         r"c\(-1\) = P0 and c\(1\) = P1 and c'\(0\) = T0"),
@@ -110,3 +113,51 @@ def test_conventions_are_checked_by_name():
         bezier(2).matrix_as(powers="up")
     with pytest.raises(BadValue, match="'TMG' or 'GMT'"):
         bezier(2).matrix_as(layout="GTM")
+
+
+T = sp.Symbol("t")
+
+
+@pytest.mark.parametrize(("constraints", "geometry"), [
+    ([(value(0), P0), (value(1), P1)], (P0, P0)),
+    ([(value(0), P0), (value(1), P1)], ()),
+    ([(value(0), P0), (value(1), P1)], P0),
+    ([(value(0), P0), (value(1), P1)], (P0, P1, sp.Symbol("P2"))),
+    ([(value(0), 0)], None),
+    ([(value(0), T), (value(1), P1)], None),
+    (5, None),
+])  # fmt: skip
+def test_bad_geometry(constraints, geometry):
+    with pytest.raises((BadType, BadValue), match="Expected"):
+        basis_from(constraints, geometry)
+
+
+@pytest.mark.parametrize("at", [T, sp.sin(1), sp.pi, "0", None])
+def test_parameters_of_which_zero_cannot_be_told(at):
+    with pytest.raises((BadType, BadValue), match="Expected"):
+        value(at)
+
+
+def test_the_same_parameter_under_two_assumptions_is_one():
+    with pytest.raises(UnsolvableConstraints):
+        basis_from([value(sp.Symbol("a")), value(sp.Symbol("a", positive=True))])
+
+
+@pytest.mark.parametrize("three", [3, np.int64(3), sp.Integer(3)])
+def test_any_integer_is_a_degree(three):
+    assert bezier(three) is bezier(3)
+    assert hermite(three) is hermite(3)
+
+
+@pytest.mark.parametrize("n", [[3], {}, 1.0, "2"])
+def test_unhashable_and_odd_degrees(n):
+    for family in (bezier, hermite, bernstein):
+        with pytest.raises(BadValue, match="degree"):
+            family(n)
+
+
+@pytest.mark.parametrize("basis", [bezier(3), hermite(5)], ids=lambda basis: basis.name)
+def test_bases_survive_pickling(basis):
+    again = pickle.loads(pickle.dumps(basis))
+    assert again.matrix == basis.matrix
+    assert again.derivation.is_proved

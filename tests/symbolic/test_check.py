@@ -3,7 +3,7 @@
 import pytest
 import sympy as sp
 
-from symbolic import Proved, Refuted, Undecided, bezier, check, hermite
+from symbolic import BadType, NotExact, Proved, Refuted, Undecided, bezier, check, hermite
 
 t = sp.Symbol("t")
 MATRIX = hermite().matrix
@@ -66,3 +66,13 @@ def test_points_reversed_or_with_coordinates_exchanged(answer):
     verdict = check(answer, [[0, 1], [1, 2]])
     assert isinstance(verdict, Refuted)
     assert "reverse order" in verdict.diagnosis or "exchanged" in verdict.diagnosis
+
+
+def test_dots_left_inside_an_answer_are_no_answer():
+    assert check([[1, ...], [0, 1]], sp.eye(2)).diagnosis.startswith("Not answered yet")
+
+
+@pytest.mark.parametrize(("expected", "mistakes"), [(0.5, {}), (1, {"Half.": 0.5}), ("1", {})])
+def test_what_the_author_got_wrong_is_not_blamed_on_the_learner(expected, mistakes):
+    with pytest.raises((NotExact, BadType)):
+        check(2, expected, mistakes)

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from sympy import I, Rational, cos, pi, sin, sqrt
 
-from symbolic import BadType, NotExact, Proved, Refuted, Step, Undecided, prove
+from symbolic import BadType, NotExact, Proved, Refuted, Step, Undecided, check, prove
 from symbolic.errors import BadValue
 
 t, x, y = symbols = sp.symbols("t x y")
@@ -141,3 +141,50 @@ def test_errors_survive_pickling():
     with pytest.raises(NotExact) as caught:
         prove(0.1, 1)
     assert str(pickle.loads(pickle.dumps(caught.value))) == str(caught.value)
+
+
+@pytest.mark.parametrize("side", [
+    (i for i in (1, 2)), map(abs, [1, 2]), {1: 5, 2: 6}, {1, 2}, frozenset((1,)),
+], ids=["generator", "map", "dict", "set", "frozenset"])  # fmt: skip
+def test_only_what_has_an_order_and_can_be_read_twice_is_a_list(side):
+    with pytest.raises(BadType):
+        prove(side, [1, 2])
+    assert not check(side, [1, 2])
+
+
+def test_symbols_are_matched_by_name_inside_derivatives_and_sums_too():
+    positive, k = sp.Symbol("x", positive=True), sp.Symbol("k", integer=True)
+    assert prove(sp.Derivative(positive**2, x), 2 * x)
+    assert prove(sp.Subs(positive**2, x, 3), 9)
+    assert prove(sp.Sum(sp.Symbol("k") ** 2, (k, 1, 3)), 14)
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    (sum(sp.sqrt(p) for p in (2, 3, 5, 7, 11)), 1),
+    (2 ** Rational(1, 10**6), 1),
+    (sp.Add(*(1 / (p + q) for p in sp.symbols("p:8") for q in sp.symbols("p:8"))), 0),
+    (sp.Pow(sp.Pow(7, 512, evaluate=False), 512, evaluate=False) ** 512, 1),
+    (sp.Sum(sin(x), (x, 1, 10**7)), 0),
+    (sp.Integral(sp.exp(sin(x)) / x, x), 0),
+    (sp.Mul(*(1 + v for v in sp.symbols("v:24"))), 0),
+    ((1 / (x + 1)) ** 512 + (1 / (x + 2)) ** 512, x),
+])  # fmt: skip
+def test_what_would_take_forever_is_undecided(left, right):
+    assert isinstance(prove(left, right), Undecided)
+
+
+def test_odd_powers_of_zero():
+    assert prove(sp.Pow(0, 0, evaluate=False), 1)
+    assert isinstance(prove(sp.Pow(0, Rational(-1, 2), evaluate=False), 0), Undecided)
+
+
+def test_matrix_expressions_are_written_out():
+    a = sp.MatrixSymbol("A", 2, 2)
+    assert prove(a, a.as_explicit())
+    assert prove(sp.Identity(2), sp.eye(2))
+    with pytest.raises(BadType, match="can be evaluated"):
+        prove(sp.Inverse(sp.ones(2)), sp.eye(2))
+
+
+def test_huge_numbers_are_told_by_their_size():
+    assert "about 5001 digits" in str(prove(10**5000 * x, (10**5000 + 1) * x))

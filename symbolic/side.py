@@ -1,0 +1,124 @@
+"""One side of an equality: an expression, or a matrix or nested list of them, read once."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import Any
+
+import sympy as sp
+from sympy.logic.boolalg import Boolean
+from sympy.matrices.exceptions import MatrixError
+
+from .dag import postorder
+from .errors import BadType, shown
+from .exact import as_list, by_name, exact
+from .normal_form import HIGHEST_POWER, NoNormalForm
+
+_DEEPEST_LIST = 8
+_MOST_TERMS = 1000  # of a sum written out
+
+
+@dataclass(frozen=True)
+class Side:
+    """Scalars row by row, and the shape they have: () for one, (rows, columns) for a matrix."""
+
+    shape: tuple[int, ...]
+    scalars: tuple[sp.Expr, ...]
+
+
+def read_side(value: Any) -> Side:
+    """Read one side of an equality exactly, without evaluating anything.
+
+    Raises
+    ------
+    BadType, BadValue, NotExact
+        For text, floats, equations, sets, iterators, ragged lists.
+
+    Examples
+    --------
+    >>> read_side([[1, 2], [3, 4]]).shape
+    (2, 2)
+    """
+    return _read(value, 0)
+
+
+def _read(value: Any, depth: int) -> Side:
+    if isinstance(value, sp.MatrixExpr):
+        value = _explicit(value)
+    entries = as_list(value)
+    if entries is None:
+        return Side((), (_scalar(value),))
+    if depth == _DEEPEST_LIST:
+        raise BadType(f"lists at most {depth} deep", shown(value), "Flatten it.")
+    sides = [_read(entry, depth + 1) for entry in entries]
+    if len({side.shape for side in sides}) > 1:
+        raise BadType("a list of entries of one kind", shown(value), "Make its rows equally long.")
+    inner = sides[0].shape if sides else ()
+    return Side((len(sides), *inner), tuple(s for side in sides for s in side.scalars))
+
+
+def _scalar(value: Any) -> sp.Expr:
+    if isinstance(value, Boolean) and not isinstance(value, sp.Expr):
+        raise BadType("an expression", shown(value), "Give its left and right side separately.")
+    return exact(value)
+
+
+def _explicit(value: sp.MatrixExpr) -> sp.MatrixBase:
+    try:
+        value = value.doit()  # multiplies explicit matrices, far faster than as_explicit
+        return value if isinstance(value, sp.MatrixBase) else value.as_explicit()
+    except (MatrixError, ValueError, TypeError) as reason:
+        raise BadType(
+            "a matrix of known size that can be evaluated",
+            f"{shown(value)} ({reason})",
+            "Write its entries out.",
+        ) from None
+
+
+def evaluated(expression: sp.Expr) -> sp.Expr:
+    """Return an expression with its derivatives, substitutions and short sums carried out.
+
+    Symbols lose their assumptions first: they are matched by name.
+
+    Raises
+    ------
+    NoNormalForm
+        Where carrying them out could take forever: long sums, integrals of no polynomial.
+
+    Examples
+    --------
+    >>> t = sp.Symbol("t")
+    >>> evaluated(sp.Derivative(t**3, t))
+    3*t**2
+    """
+    nodes = list(postorder([expression]))
+    if not any(isinstance(node, tuple(_LIMITS)) for node in nodes):
+        return expression
+    for node in nodes:
+        for kind, is_short in _LIMITS.items():
+            if isinstance(node, kind) and not is_short(node):
+                raise NoNormalForm(f"{shown(node, 60)} is too long to be carried out")
+    return exact(by_name(expression).doit())
+
+
+def _is_short_sum(node: sp.Sum | sp.Product) -> bool:
+    lengths = [limit[2] - limit[1] if len(limit) == 3 else sp.oo for limit in node.limits]
+    return all(n.is_Integer and n <= _MOST_TERMS for n in lengths) and len(lengths) == 1
+
+
+def _is_low_derivative(node: sp.Derivative) -> bool:
+    return all(order.is_Integer and order <= HIGHEST_POWER for _, order in node.variable_count)
+
+
+def _is_polynomial_integral(node: sp.Integral) -> bool:
+    return bool(node.function.is_polynomial(*node.variables)) and len(node.limits) == 1
+
+
+_LIMITS: dict[type, Callable[[Any], bool]] = {
+    sp.Derivative: _is_low_derivative,
+    sp.Subs: lambda node: True,
+    sp.Sum: _is_short_sum,
+    sp.Product: _is_short_sum,
+    sp.Integral: _is_polynomial_integral,
+}
