@@ -49,6 +49,8 @@ def lab(port: str | None, no_browser: bool, others: list[str]) -> int:
     from working_copies import write_copies
 
     # FOLDER stands before JupyterLab's options: in "--ip 0.0.0.0" the second word is not a folder.
+    if "" in others:
+        fail("expected the name of a folder, got an empty one; leave it away for casteljau-lessons")
     named = bool(others) and not others[0].startswith("-")
     folder = Path(others.pop(0) if named else "casteljau-lessons").absolute()
     if others and not others[0].startswith("-"):

@@ -57,8 +57,9 @@ def deliver(lesson: Path, folder: Path, records: Records, edition: str) -> tuple
     source = digest(lesson.read_bytes())
     own = next(names(lesson.stem, edition))
     there = (folder / own).exists()
-    if there and own not in records:  # nothing is known of it: take it for the learner's
-        records[own] = {"lesson": source, "copy": ""}
+    if there and own not in records:  # nothing is known of it: it is the learner's, or as written
+        same = (folder / own).is_file() and (folder / own).read_bytes() == notebook(lesson)
+        records[own] = {"lesson": source, "copy": digest(notebook(lesson)) if same else ""}
     for name, record in records.items():
         # A copy that was deleted comes back; one that lay beside an edited copy was unwanted.
         if there and name.startswith(f"{lesson.stem}.") and record["lesson"] == source:

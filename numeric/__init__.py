@@ -2,7 +2,16 @@
 
 from .curve import Curve
 from .glyphs import Glyph, glyph
-from .points import float_points
-from .tape import Tape, compile_tape
+from .points import float_points, real_number
+from .tape import Tape, compile_tape, flattened
 
-__all__ = ["Curve", "Glyph", "Tape", "compile_tape", "float_points", "glyph"]
+__all__ = [
+    "Curve",
+    "Glyph",
+    "Tape",
+    "compile_tape",
+    "flattened",
+    "float_points",
+    "glyph",
+    "real_number",
+]

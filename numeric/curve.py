@@ -45,6 +45,8 @@ class Curve:
     def __init__(self, points: np.ndarray, breaks: np.ndarray) -> None:
         self.points = points
         self.breaks = breaks
+        for array in (points, breaks):  # the table of powers is made of them only once
+            array.flags.writeable = False
 
     @classmethod
     def from_bezier(cls, points: Any, domain: Any = (0, 1)) -> Curve:

@@ -65,6 +65,19 @@ def real_array(values: Any, what: str) -> np.ndarray:
     raise BadType(f"real numbers as {what}", shown(values), "Give a number or an array of numbers.")
 
 
+def real_number(value: Any, what: str) -> float:
+    """Return one finite number as a float.
+
+    >>> from fractions import Fraction
+    >>> real_number(Fraction(3, 8), "t")
+    0.375
+    """
+    array = real_array(value, what)
+    if array.ndim or not np.isfinite(array):
+        raise BadValue(f"a finite number as {what}", shown(value), "Give one number.")
+    return float(array)
+
+
 def _array(points: Any) -> np.ndarray:
     if isinstance(points, np.ndarray) and points.dtype.kind in "iuf":
         return points.astype(float)

@@ -184,7 +184,7 @@ def compile_tape(outputs: Mapping[str, Any], inputs: Iterable[sp.Symbol]) -> Tap
     program = Program(inputs)
     roots: dict[str, tuple[tuple[int, ...], list[int]]] = {}
     for name, value in outputs.items():
-        shape, flat = _flattened(value)
+        shape, flat = flattened(value)
         roots[name] = shape, program.add(flat)
     live = program.live(i for _, numbers in roots.values() for i in numbers)
     constants = [i for i in live if program.nodes[i][0] == "constant"]
@@ -211,14 +211,19 @@ def _refuse_duplicates(inputs: Sequence[sp.Symbol]) -> None:
         raise BadType("distinct symbols as inputs", shown(list(inputs)), "Name each once.")
 
 
-def _flattened(value: Any) -> tuple[tuple[int, ...], list[sp.Expr]]:
+def flattened(value: Any) -> tuple[tuple[int, ...], list[sp.Expr]]:
+    """Return the shape of an expression or a nested list of them, and its entries row by row.
+
+    >>> flattened([[1, 2], [3, 4]])
+    ((2, 2), [1, 2, 3, 4])
+    """
     entries = as_list(value)
     if entries is None:
         return (), [_scalar(value)]
     value = entries
     if not value:
         raise BadValue("at least one expression", "an empty list", "Leave the output out.")
-    parts = [_flattened(entry) for entry in value]
+    parts = [flattened(entry) for entry in value]
     shapes = {shape for shape, _ in parts}
     if len(shapes) > 1:
         raise BadValue("rows of equal length", shown(value), "Fill the rows up.")

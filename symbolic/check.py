@@ -41,7 +41,7 @@ def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None)
     >>> check(hermite().matrix, hermite().matrix).diagnosis
     'Right.'
     >>> print(check(hermite().matrix.T, hermite().matrix).diagnosis)
-    This is the transpose: rows belong to powers of t, columns to entries of the geometry vector.
+    This is the transpose: rows and columns are exchanged.
     >>> print(check(..., 1).diagnosis)
     Not answered yet: put your answer in place of the dots.
     """
@@ -82,8 +82,8 @@ def _diagnosis(given: Side, expected: Any, mistakes: Mapping[str, Any], verdict:
             return "One of these: " + " Or: ".join(found)
     where = f"In {verdict.where}: " if verdict.where else ""
     values = ", ".join(f"{name} = {value}" for name, value in verdict.witness.items())
-    answer = f"at {values} your answer" if values else "your answer"
-    sentence = f"{where}{answer} gives {shown_number(verdict.left)}, which is not the right value."
+    answer = f"at {values} your answer gives" if values else "your answer is"
+    sentence = f"{where}{answer} {shown_number(verdict.left)}, which is not the right value."
     return f"Not yet. {sentence[0].upper()}{sentence[1:]}"
 
 

@@ -14,7 +14,7 @@ from .verdict import Proved, Refuted, Verdict
 _MARKS = {Proved: r"\checkmark", Refuted: r"\times"}
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Step:
     r"""One line of a derivation: left = right, because of something.
 
@@ -46,6 +46,9 @@ class Step:
     def __str__(self) -> str:
         return f"{_linear(self.left)} = {_linear(self.right)}, because {self.because}"
 
+    def __repr__(self) -> str:
+        return f"{self} ({type(self.verdict).__name__.lower()})"
+
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle {self.latex()}$"
 
@@ -55,7 +58,7 @@ class Step:
         return rf"{sp.latex(self.left)} = {sp.latex(self.right)} \quad {mark}"
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Derivation:
     """A titled sequence of steps; prints as LaTeX in a notebook and as plain lines elsewhere.
 
@@ -65,16 +68,16 @@ class Derivation:
     >>> short = Derivation("Expanding", (Step((1 - t)*t, t - t**2, "expand"),))
     >>> short.is_proved
     True
-    >>> print(short)
+    >>> short
     Expanding
-    1. t*(1 - t) = -t**2 + t, because expand
+    1. t*(1 - t) = -t**2 + t, because expand (proved)
     """
 
     title: str
     steps: tuple[Step, ...]
 
     def verify(self) -> list[Verdict]:
-        """Return the verdict on every step."""
+        """Return the verdict on every step; `is_proved` sums them up."""
         return [step.verify() for step in self.steps]
 
     @property
@@ -84,6 +87,10 @@ class Derivation:
 
     def __str__(self) -> str:
         lines = (f"{i}. {step}" for i, step in enumerate(self.steps, 1))
+        return "\n".join((self.title, *lines))
+
+    def __repr__(self) -> str:
+        lines = (f"{i}. {step!r}" for i, step in enumerate(self.steps, 1))
         return "\n".join((self.title, *lines))
 
     def _repr_latex_(self) -> str:

@@ -102,10 +102,10 @@ def _refuse_float(value: float) -> None:
     if value != value or value in (float("inf"), float("-inf")):
         raise BadValue("a finite number", shown(value), "Leave such values out.")
     meant = Fraction(repr(value))
-    hint = f"Rational({meant.numerator}, {meant.denominator})"
-    raise NotExact(
-        "an exact number", f"the float {value!r}", f'Write {hint} or Fraction("{value!r}").'
-    )
+    hint = f'Rational({meant.numerator}, {meant.denominator}) or Fraction("{value!r}")'
+    if meant.denominator == 1:
+        hint = str(meant)
+    raise NotExact("an exact number", f"the float {value!r}", f"Write {hint}.")
 
 
 def by_name(expression: sp.Expr) -> sp.Expr:

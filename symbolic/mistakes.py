@@ -38,19 +38,19 @@ def typical_mistakes(expected: Any) -> dict[str, Any]:
 
 def _of_matrices(matrix: sp.ImmutableMatrix) -> dict[str, Any]:
     found = {
-        "This is the transpose: rows belong to powers of t, columns to entries of the geometry "
-        "vector.": matrix.T,
-        "Your rows run over the powers of t in the other order: the first row belongs to the "
-        "highest power.": matrix[::-1, :],
-        "Your columns take the geometry vector in reverse order.": matrix[:, ::-1],
-        "This is the transpose, and the powers of t run in the other order.": matrix[::-1, :].T,
+        "This is the transpose: rows and columns are exchanged.": matrix.T,
+        "The rows stand in reverse order; for a basis matrix, compare the order of the powers of "
+        "t.": matrix[::-1, :],
+        "The columns stand in reverse order; for a basis matrix, compare the order of the "
+        "geometry vector.": matrix[:, ::-1],
+        "This is the transpose, with its columns in reverse order.": matrix[::-1, :].T,
     }
     if matrix.rows <= 5:
         for order in list(permutations(range(matrix.cols)))[1:]:
             places = ", ".join(str(i + 1) for i in order)
             found.setdefault(
-                f"The columns are right but stand in another order ({places}): compare the order "
-                "of the geometry vector.", matrix[:, list(order)],
+                f"The columns are right but stand in another order ({places}); for a basis matrix, "
+                "compare the order of the geometry vector.", matrix[:, list(order)],
             )  # fmt: skip
     if not matrix.free_symbols and matrix.det() != 0:
         found["This is the inverse of the matrix asked for."] = matrix.inv()

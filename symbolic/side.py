@@ -11,7 +11,7 @@ from sympy.logic.boolalg import Boolean
 from sympy.matrices.exceptions import MatrixError
 
 from .dag import postorder
-from .errors import BadType, shown
+from .errors import BadType, BadValue, shown
 from .exact import as_list, by_name, exact
 from .normal_form import HIGHEST_POWER, NoNormalForm
 
@@ -99,7 +99,11 @@ def evaluated(expression: sp.Expr) -> sp.Expr:
         for kind, is_short in _LIMITS.items():
             if isinstance(node, kind) and not is_short(node):
                 raise NoNormalForm(f"{shown(node, 60)} is too long to be carried out")
-    return exact(by_name(expression).doit())
+    result = by_name(expression).doit()
+    try:
+        return exact(result)
+    except BadValue:
+        raise NoNormalForm(f"{shown(expression, 60)} is {shown(result, 60)}") from None
 
 
 def _is_short_sum(node: sp.Sum | sp.Product) -> bool:

@@ -12,8 +12,9 @@ import anywidget
 import numpy as np
 import traitlets
 
-from numeric import float_points
+from numeric import float_points, real_number
 from symbolic.errors import BadType, BadValue, OutsideDomain, shown
+from symbolic.exact import whole_number
 
 from .extent import initial_state
 from .picture import draw
@@ -116,9 +117,8 @@ class Figure(anywidget.AnyWidget):
     @property
     def values(self) -> dict[str, Any]:
         """All inputs as they stand now: point groups as (n, 2) arrays, sliders, and the step."""
-        sliders = {s["name"]: getattr(self, s["name"]) for s in self.scene["sliders"]}
         points = {name: np.array(rows, dtype=float) for name, rows in self.points.items()}
-        return {**points, **sliders, "step": self.step}
+        return {**points, **self._sliders(), "step": self.step}
 
     def html(self) -> str:
         """Return a self-contained page: it works from a file, with no kernel and no network."""
@@ -136,7 +136,7 @@ class Figure(anywidget.AnyWidget):
         BadValue
             For any other ending.
         """
-        path = Path(path)
+        path = Path(path).expanduser()
         if path.suffix == ".html":
             path.write_text(self.html(), encoding="utf-8")
         elif path.suffix in (".svg", ".pdf", ".png"):
@@ -146,16 +146,30 @@ class Figure(anywidget.AnyWidget):
                 "a path ending in .html, .svg, .pdf or .png", shown(str(path)), "Choose one."
             )
 
+    def __contains__(self, name: object) -> bool:
+        return name in self.values
+
+    def __repr__(self) -> str:
+        return f"<Figure {self.scene['title']!r}: {', '.join(self.values)}>"
+
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
+        if self.comm is None:  # closed, or no kernel: it can still be looked at
+            return {"text/plain": repr(self), "text/html": self._embedded()}, {}
         bundle_ = super()._repr_mimebundle_(**kwargs)
         if not bundle_:
             return bundle_
         data, metadata = bundle_ if isinstance(bundle_, tuple) else (bundle_, {})
-        return {**data, "text/html": embedded(self.html(), self._poster())}, metadata
+        return {**data, "text/html": self._embedded()}, metadata
+
+    def _embedded(self) -> str:
+        return embedded(self.html(), self._poster())
 
     def _state(self) -> dict[str, Any]:
-        sliders = {s["name"]: getattr(self, s["name"]) for s in self.scene["sliders"]}
-        return {"scene": self.scene, "points": self.points, "step": self.step, "sliders": sliders}
+        return {"scene": self.scene, "points": self.points, "step": self.step,
+                "sliders": self._sliders()}  # fmt: skip
+
+    def _sliders(self) -> dict[str, float]:
+        return {s["name"]: getattr(self, s["name"]) for s in self.scene["sliders"]}
 
     def _poster(self) -> str:
         """Return an <img> of the figure as it stands, for readers without scripts."""
@@ -173,7 +187,7 @@ class Figure(anywidget.AnyWidget):
 
     def _go_to(self, step: Any) -> None:
         last = max(0, len(self.scene["steps"]) - 1)
-        if step not in range(last + 1):
+        if whole_number(step) not in range(last + 1):
             raise OutsideDomain(f"a step from 0 to {last}", shown(step), "Choose one of these.")
         self.step = int(step)
 
@@ -181,12 +195,13 @@ class Figure(anywidget.AnyWidget):
         slider = next((s for s in self.scene["sliders"] if s["name"] == name), None)
         if slider is None:
             raise self._unknown(name)
-        if not slider["low"] <= float(value) <= slider["high"]:
+        number = real_number(value, name)
+        if not slider["low"] <= number <= slider["high"]:
             raise OutsideDomain(
                 f"{name} in [{slider['low']:g}, {slider['high']:g}]",
                 f"{value}", "Both ends belong to it.",
             )  # fmt: skip
-        setattr(self, name, float(value))
+        setattr(self, name, number)
 
     def _unknown(self, name: str) -> BadValue:
         return BadValue(

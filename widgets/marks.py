@@ -7,9 +7,13 @@ from typing import Any
 
 import sympy as sp
 
+from numeric import flattened
 from symbolic.dag import substitute
 from symbolic.errors import BadType, BadValue, shown
-from symbolic.exact import exact
+from symbolic.exact import whole_number
+
+from .reading import colours, output_size, span, text
+from .reading import labels as read_labels
 
 Colour = int | str  # index of a control point's colour, or the name of a role
 _SAMPLES = 129  # smooth on a screen 1000 pixels wide; a cubic's chord error is below 1/8 pixel
@@ -29,6 +33,7 @@ class Marks:
     """
 
     def __init__(self) -> None:
+        self._views: list[dict[str, Any]] = []
         self._sliders: list[dict[str, Any]] = []
         self._axes: list[dict[str, Any]] = []
         self._axis_symbols: list[sp.Symbol] = []
@@ -53,10 +58,10 @@ class Marks:
             `pieces` counts the joined pairs per closed contour; `since` and `until` are steps.
         """
         symbol, low, high = over if isinstance(over, tuple) else self._range(over)
-        joined = isinstance(expressions[0], list | tuple)
-        flat = [e for pair in (expressions if joined else [expressions]) for e in pair]
-        axis = self._axis(float(low), float(high), samples)
-        swept = substitute([_expression(e) for e in flat], {symbol: self._axis_symbols[axis]})
+        shape, flat = flattened(expressions)
+        output_size("path", expressions if len(shape) == 2 else [expressions])
+        axis = self._axis(*span(low, high), samples)
+        swept = substitute(flat, {symbol: self._axis_symbols[axis]})
         self._mark("path", list(zip(swept[::2], swept[1::2], strict=True)), look,
                    color=color, axis=axis)  # fmt: skip
 
@@ -72,9 +77,9 @@ class Marks:
         **look: Any,
     ) -> None:
         """Draw points that follow from others and cannot be moved."""
-        count = len(points)
-        self._mark("dots", points, look, colors=list(colors or ["construction"] * count),
-                   labels=None if labels is None else list(labels))  # fmt: skip
+        count = output_size("dots", points)
+        self._mark("dots", points, look, labels=read_labels(labels, count),
+                   colors=colours(colors or ["construction"] * count, count))  # fmt: skip
 
     def arrows(self, arrows: Any, color: Colour = "construction", **look: Any) -> None:
         """Draw arrows, each a pair (from, to) of points."""
@@ -82,12 +87,13 @@ class Marks:
 
     def readout(self, label: str, expressions: Any) -> None:
         """Show a number, or the coordinates of a point, below the drawing."""
-        self._mark("readout", expressions, {}, label=label)
+        self._mark("readout", expressions, {}, label=text(label, "label"))
 
     def weights(self, expressions: Any, labels: Sequence[str], title: str = "") -> None:
         """Show a row of shares in the colours of the control points."""
-        self._mark("weights", expressions, {}, labels=list(labels), title=title,
-                   colors=list(range(len(labels))))  # fmt: skip
+        count = output_size("weights", expressions)
+        self._mark("weights", expressions, {}, labels=read_labels(labels, count),
+                   title=text(title, "title"), colors=list(range(count)))  # fmt: skip
 
     def scheme(self, levels: Any, labels: Sequence[str], froms: Sequence[int], shares: Any) -> None:
         """Show a triangular scheme of points, with the share of every control point in each."""
@@ -106,11 +112,23 @@ class Marks:
                 f"looks of a {kind}: {', '.join(allowed)}", ", ".join(sorted(unknown)),
                 "Use one of these.",
             )  # fmt: skip
+        output_size(kind, output)
+        if "color" in fields:
+            fields["color"] = colours(fields["color"], 1)[0]
+        if "view" in allowed:
+            look = {**look, "view": self._view_number(look.get("view", 0))}
         mark = {"kind": kind, "output": name, **fields, **allowed, **look}
         if "since" in mark:
             mark["from"] = mark.pop("since")
         self._outputs[name] = output
         self._marks.append(mark)
+
+    def _view_number(self, view: Any) -> int:
+        if whole_number(view) not in range(len(self._views)):
+            raise BadValue(
+                f"a view from 0 to {len(self._views) - 1}", shown(view), "Add it with scene.view."
+            )
+        return int(view)
 
     def _range(self, symbol: sp.Symbol) -> tuple[sp.Symbol, float, float]:
         for slider in self._sliders:
@@ -123,12 +141,11 @@ class Marks:
         )
 
     def _axis(self, low: float, high: float, count: int) -> int:
+        if whole_number(count) not in range(2, 10_001):
+            raise BadValue("2 to 10000 samples", shown(count), "A curve needs its two ends.")
         axis = {"low": low, "high": high, "count": int(count)}
         if axis not in self._axes:
             self._axes.append(axis)
-            self._axis_symbols.append(sp.Symbol(f"axis{len(self._axis_symbols)}"))
+            # No name of an input has a space, so it cannot be taken.
+            self._axis_symbols.append(sp.Symbol(f"axis {len(self._axis_symbols)}"))
         return self._axes.index(axis)
-
-
-def _expression(value: Any) -> sp.Expr:
-    return value if isinstance(value, sp.Expr) else exact(value)

@@ -9,10 +9,13 @@ from typing import Any
 import numpy as np
 
 from numeric import Tape
+from symbolic.errors import BadValue, shown
 
 from .extent import evaluate
 from .palette import colour
 
+_SCRIPTED = re.compile(r"[A-Za-z]+'?([_^]([A-Za-z0-9]|\{[A-Za-z0-9, ]+\}))+")
+_MOST_LABELS = 40  # more cannot be read, and each costs matplotlib some 10 ms
 _BACKGROUND = {"light": "#ffffff", "dark": "#111418"}
 
 
@@ -23,6 +26,8 @@ def draw(scene: dict[str, Any], state: dict[str, Any], step: int, theme: str = "
     """
     from matplotlib.figure import Figure
 
+    if theme not in _BACKGROUND:
+        raise BadValue("the theme light or dark", shown(theme), "Choose one of these.")
     outputs = evaluate(scene, state, Tape.from_json(scene["tape"]))
     views = scene["views"]
     picture = Figure(figsize=(6.4 * len(views), 4.4), layout="constrained")
@@ -31,7 +36,8 @@ def draw(scene: dict[str, Any], state: dict[str, Any], step: int, theme: str = "
     for number, (axis, view) in enumerate(zip(axes, views, strict=True)):
         _frame(axis, view, theme)
         for order, mark in enumerate(scene["marks"]):
-            visible = mark.get("from", 0) <= step <= (mark.get("until") or np.inf)
+            until = mark.get("until")
+            visible = mark.get("from", 0) <= step and (until is None or step <= until)
             if mark.get("view") == number and visible:
                 _KINDS[mark["kind"]](axis, mark, outputs[mark["output"]], theme, order)
         for group in scene["points"]:
@@ -82,7 +88,8 @@ def _subpath(path: Any, points: np.ndarray, closed: bool) -> Any:
 def _dots(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order: int) -> None:
     colors = [colour(c, theme) for c in mark["colors"]]
     axis.scatter(*output.T, s=(mark["radius"] * 1.5) ** 2, c=colors, zorder=4 + order / 1000)
-    for label, point, text in zip(mark["labels"] or (), output, colors, strict=False):
+    labels = (mark["labels"] or ()) if len(output) <= _MOST_LABELS else ()
+    for label, point, text in zip(labels, output, colors, strict=False):
         _label(axis, label, point, text)
 
 
@@ -100,7 +107,8 @@ def _handles(axis: Any, group: dict[str, Any], points: np.ndarray, theme: str) -
     colors = [colour(c, theme) for c in group["colors"]]
     axis.scatter(*points.T, s=64, marker="s", facecolors=_BACKGROUND[theme], edgecolors=colors,
                  linewidths=2, zorder=6)  # fmt: skip
-    for label, point, text in zip(group["labels"], points, colors, strict=True):
+    labels = group["labels"] if len(points) <= _MOST_LABELS else ()
+    for label, point, text in zip(labels, points, colors, strict=False):
         _label(axis, label, point, text)
 
 
@@ -108,8 +116,10 @@ def _label(axis: Any, label: str, point: np.ndarray, color: str) -> None:
     from matplotlib.patheffects import withStroke
 
     halo = withStroke(linewidth=3, foreground=axis.get_facecolor())
-    axis.annotate(_math(label), point, xytext=(6, 7), textcoords="offset points", color=color,
-                  fontsize=12, math_fontfamily="stix", path_effects=[halo], zorder=7)  # fmt: skip
+    shown_label = _math(label)
+    axis.annotate(shown_label, point, parse_math=shown_label != label, xytext=(6, 7),
+                  textcoords="offset points", color=color, fontsize=12,
+                  math_fontfamily="stix", path_effects=[halo], zorder=7)  # fmt: skip
 
 
 def _math(label: str) -> str:
@@ -118,7 +128,7 @@ def _math(label: str) -> str:
     >>> _math("b_0^1"), _math("left part")
     ('$b_0^1$', 'left part')
     """
-    return f"${label}$" if re.search(r"[_^]", label) else label
+    return f"${label}$" if _SCRIPTED.fullmatch(label) else label
 
 
 _KINDS: dict[str, Callable[..., None]] = {"path": _path, "dots": _dots, "arrows": _arrows}

@@ -12,12 +12,15 @@ from typing import Any
 
 import sympy as sp
 
-from numeric import compile_tape, float_points
+from numeric import compile_tape, real_number
 from symbolic.errors import BadValue, shown
+from symbolic.exact import whole_number
 
 from .extent import fit_views, snap_for
 from .marks import Colour, Marks
 from .palette import PALETTE
+from .reading import colours, plane_points, positive, span, text
+from .reading import labels as read_labels
 from .version import VERSION
 
 Points = list[tuple[sp.Symbol, sp.Symbol]]
@@ -47,11 +50,11 @@ class Scene(Marks):
 
     def __init__(self, title: str = "", description: str = "") -> None:
         super().__init__()
-        self.title = title
-        self.description = description or title
+        self.title = text(title, "title")
+        self.description = text(description, "description") or title
         self.captions: list[str] = []
         self.first_step = 0
-        self._views: list[dict[str, Any]] = [
+        self._views = [
             {"name": "plane", "title": "", "x": None, "y": None, "equal": True, "axes": True}
         ]
         self._points: list[dict[str, Any]] = []
@@ -85,19 +88,18 @@ class Scene(Marks):
         BadValue, BadType
             For points as in `float_points`, not in the plane, or a name that is taken.
         """
-        rows = float_points(values)
-        if rows.shape[1] != 2:
-            raise BadValue(
-                "points in the plane, shape (n, 2)", f"shape {rows.shape}", "Give x and y."
-            )
-        self._refuse_taken(name)
-        labels = labels or [f"{name}_{{{i}}}" if i > 9 else f"{name}_{i}" for i in range(len(rows))]
+        rows = plane_points(values)
+        numbers = range(len(rows))
+        symbols = [(sp.Symbol(f"{name}{i}_x"), sp.Symbol(f"{name}{i}_y")) for i in numbers]
+        self._refuse_taken(name, [symbol.name for pair in symbols for symbol in pair])
+        labels = labels or [f"{name}_{{{i}}}" if i > 9 else f"{name}_{i}" for i in numbers]
         self._points.append({
-            "name": name, "view": view, "labels": list(labels),
-            "colors": list(colors if colors is not None else range(len(rows))),
-            "values": rows.tolist(), "snap": snap_for(rows) if snap is None else float(snap),
+            "name": name, "view": self._view_number(view),
+            "labels": read_labels(labels, len(rows)),
+            "colors": colours(numbers if colors is None else colors, len(rows)),
+            "values": rows.tolist(),
+            "snap": snap_for(rows) if snap is None else positive(snap, "snap"),
         })  # fmt: skip
-        symbols = [sp.symbols(f"{name}{i}_x {name}{i}_y") for i in range(len(rows))]
         at = len(self._inputs) - len(self._sliders)  # points come before the sliders
         self._inputs[at:at] = [symbol for pair in symbols for symbol in pair]
         return symbols
@@ -118,35 +120,36 @@ class Scene(Marks):
         BadValue
             If low < high does not hold, the value is outside, or the name is taken.
         """
-        low, high = float(low), float(high)
-        value = low + (high - low) / 2 if value is None else float(value)
+        low, high = real_number(low, "low"), real_number(high, "high")
+        value = low + (high - low) / 2 if value is None else real_number(value, name)
         if not low <= value <= high or low == high:
             raise BadValue(
                 "low <= value <= high with low < high",
                 f"low {low:g}, value {value:g}, high {high:g}",
                 "Give the slider a range that contains its value.",
             )
-        self._refuse_taken(name)
+        self._refuse_taken(name, [name])
         self._sliders.append({
             "name": name, "label": label or name, "low": low, "high": high, "value": value,
-            "snap": (high - low) / 64 if snap is None else float(snap), "play": True,
+            "snap": (high - low) / 64 if snap is None else positive(snap, "snap"), "play": True,
         })  # fmt: skip
         self._inputs.append(sp.Symbol(name))
         return self._inputs[-1]
 
     def steps(self, captions: Sequence[str], first: int = 0) -> None:
         """Give the figure steps; marks appear `since` and disappear after `until` a step."""
-        if first not in range(len(captions)):
+        if whole_number(first) not in range(len(captions)):
             raise BadValue(
                 f"a first step from 0 to {len(captions) - 1}", shown(first), "Choose one of these."
             )
-        self.captions = list(captions)
-        self.first_step = first
+        self.captions = [text(caption, "caption") for caption in captions]
+        self.first_step = int(first)
 
     def view(self, name: str, x: Any, y: Any, title: str = "", equal: bool = False) -> int:
         """Add a second drawing over given ranges and return its number, for ``view=``."""
         self._views.append({
-            "name": name, "title": title, "x": [float(v) for v in x], "y": [float(v) for v in y],
+            "name": text(name, "name"), "title": text(title, "title"),
+            "x": list(span(*x)), "y": list(span(*y)),
             "equal": equal, "axes": True,
         })  # fmt: skip
         return len(self._views) - 1
@@ -164,9 +167,12 @@ class Scene(Marks):
         fit_views(scene, tape)
         return scene
 
-    def _refuse_taken(self, name: str) -> None:
+    def _refuse_taken(self, name: str, inputs: list[str]) -> None:
         taken = {entry["name"] for entry in (*self._points, *self._sliders)} | _RESERVED
-        if not str(name).isidentifier() or name in taken:
+        clash = {symbol.name for symbol in self._inputs} & set(inputs)
+        word = text(name, "name").isidentifier() and not name.startswith("_")
+        if not word or name in taken or clash:
+            taken |= clash
             raise BadValue(
                 "a new name that is a word", shown(name), f"Taken are {', '.join(sorted(taken))}."
             )

@@ -63,7 +63,7 @@ def test_bad_hermite_degrees(n):
 CONSTRAINTS = {
     "a repeated value": (
         [value(0), value(0), value(1)], UnsolvableConstraints,
-        r"c\(0\) = P0 and c\(0\) = P1, which can hold together only if -P0 \\+ P1 = 0"),
+        r"c\(0\) = P0 and c\(0\) = P1, which can hold together only if -P0 \+ P1 = 0"),
     "the same demand twice": (
         [(value(0), P0), (value(0), P0)], UnsolvableConstraints, "which say the same"),
     "no position anywhere": (

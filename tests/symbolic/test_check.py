@@ -10,9 +10,9 @@ MATRIX = hermite().matrix
 
 WRONG_MATRICES = {
     "transpose:": MATRIX.T,
-    "other order: the first row": MATRIX[::-1, :],
-    "reverse order": MATRIX[:, ::-1],
-    "transpose, and the powers": MATRIX[::-1, :].T,
+    "rows stand in reverse": MATRIX[::-1, :],
+    "columns stand in reverse": MATRIX[:, ::-1],
+    "transpose, with its columns": MATRIX[::-1, :].T,
     "stand in another order (1, 3, 2, 4)": MATRIX[:, [0, 2, 1, 3]],
     "inverse": MATRIX.inv(),
     "All signs": -MATRIX,

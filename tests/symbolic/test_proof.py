@@ -1,6 +1,7 @@
 """Verdicts are never wrong: proved means equal, refuted means the witness shows it."""
 
 import pickle
+from functools import reduce
 
 import pytest
 import sympy as sp
@@ -163,7 +164,7 @@ def test_symbols_are_matched_by_name_inside_derivatives_and_sums_too():
     (sum(sp.sqrt(p) for p in (2, 3, 5, 7, 11)), 1),
     (2 ** Rational(1, 10**6), 1),
     (sp.Add(*(1 / (p + q) for p in sp.symbols("p:8") for q in sp.symbols("p:8"))), 0),
-    (sp.Pow(sp.Pow(7, 512, evaluate=False), 512, evaluate=False) ** 512, 1),
+    (reduce(lambda b, _: sp.Pow(b, 512, evaluate=False), range(3), sp.Integer(7)), 1),
     (sp.Sum(sin(x), (x, 1, 10**7)), 0),
     (sp.Integral(sp.exp(sin(x)) / x, x), 0),
     (sp.Mul(*(1 + v for v in sp.symbols("v:24"))), 0),

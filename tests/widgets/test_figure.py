@@ -46,7 +46,9 @@ def test_ordinary_widgets_link_to_a_slider(fig):
 
 @pytest.mark.parametrize(("name", "value", "error", "said"), [
     ("t", 1.5, OutsideDomain, r"t in \[0, 1\]"),
-    ("t", float("nan"), OutsideDomain, "nan"),
+    ("t", float("nan"), BadValue, "nan"),
+    ("t", "0.5", BadType, "real numbers"),
+    ("t", None, BadType, "real numbers"),
     ("b", [[0, 0]], BadValue, "3 points"),
     ("b", [[0, 0], [1], [2, 2]], BadValue, "one dimension"),
     ("b", [["0", "0"]] * 3, BadType, "never parsed"),
@@ -88,6 +90,38 @@ def test_outputs_carry_the_widget_and_a_page_for_readers_without_one(fig):
     html = data["text/html"]
     assert html.index("<img") < html.index("<iframe")
     assert 'sandbox="allow-scripts"' in html
+
+
+@pytest.mark.parametrize("label", ["$a_0$", "b^{", "a_", "__p_0", "\\frac", "50%", "x_{1,2}"])
+def test_any_text_may_be_a_label(label):
+    scene = Scene()
+    scene.points([[0, 0], [1, 1]], labels=[label, "b"])
+    scene.dots([[0, 1]], labels=[label])
+    fig = Figure(scene)
+    fig.picture().canvas.draw()
+    assert "$" not in fig.scene["points"][0]["labels"][0]
+
+
+def test_a_mark_is_gone_after_its_last_step():
+    scene = Scene()
+    scene.steps(["a", "b"], first=1)
+    scene.dots([[0, 0]], until=0)
+    fig = Figure(scene)
+    assert len(fig.picture().axes[0].collections) == 0
+    fig["step"] = 0
+    assert len(fig.picture().axes[0].collections) == 1
+
+
+def test_a_closed_figure_can_still_be_looked_at(fig):
+    fig.close()
+    data, _ = fig._repr_mimebundle_()
+    assert "<img" in data["text/html"]
+
+
+def test_a_figure_says_what_it_is(fig):
+    assert repr(fig) == '<Figure "De Casteljau\'s construction": b, t, step>'
+    assert "t" in fig
+    assert "q" not in fig
 
 
 def test_pictures_show_what_is_visible_at_a_step(fig, artefacts):

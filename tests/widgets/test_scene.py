@@ -39,7 +39,7 @@ def test_the_tapes_inputs_are_points_then_sliders_then_axes():
     (a, _), (b, _) = scene.points([[0, 0], [1, 1]], name="A"), scene.points([[2, 2], [3, 3]], "B")
     scene.curve([a[0] + b[0], sp.Symbol("u")], (sp.Symbol("u"), 0, 1))
     names = scene.to_json()["tape"]["inputs"]
-    assert names == ["A0_x", "A0_y", "A1_x", "A1_y", "B0_x", "B0_y", "B1_x", "B1_y", "s", "axis0"]
+    assert names == ["A0_x", "A0_y", "A1_x", "A1_y", "B0_x", "B0_y", "B1_x", "B1_y", "s", "axis 0"]
 
 
 def test_marks_are_evaluated_at_the_first_state():
@@ -111,6 +111,29 @@ def test_ten_points_have_braced_labels():
     (lambda s: s.slider("t", 0, 1, value=2), BadValue, "low <= value <= high"),
     (lambda s: s.curve([0, 0], sp.Symbol("q")), BadValue, "slider"),
     (lambda s: s.polyline([[0, 0]], colour="red"), BadType, "colour"),
+    (lambda s: s.polyline([[0, 0]], color="red"), BadValue, "construction"),
+    (lambda s: s.polyline([]), BadValue, "empty"),
+    (lambda s: s.polyline([0, 1]), BadValue, "each .x, y."),
+    (lambda s: s.polyline([[0, 0, 0]]), BadValue, "each .x, y."),
+    (lambda s: s.arrows([[0, 0], [1, 1]]), BadValue, "arrows"),
+    (lambda s: s.dots([[0, 0], [1, 1]], colors=[1]), BadValue, "2 colours"),
+    (lambda s: s.dots([[0, 0]], labels=["a", "b"]), BadValue, "1 labels"),
+    (lambda s: s.dots([[0, 0]], view=7), BadValue, "view from 0 to 0"),
+    (lambda s: s.points([[0, 0]], view=1), BadValue, "view from 0 to 0"),
+    (lambda s: s.points([[0, 0]], labels=["a", "b"]), BadValue, "1 labels"),
+    (lambda s: s.points([[0, 0]], labels="a"), BadType, "list of texts"),
+    (lambda s: s.points([[0, 0]], snap=0), BadValue, "positive snap"),
+    (lambda s: s.points([[1e300, 0]]), BadValue, "up to 1e"),
+    (lambda s: (s.points([[0, 0]]), s.slider("P0_x", 0, 1)), BadValue, "P0_x"),
+    (lambda s: s.slider("_esm", 0, 1), BadValue, "word"),
+    (lambda s: s.slider(sp.Symbol("t"), 0, 1), BadType, "text as name"),
+    (lambda s: s.slider("t", "0", 1), BadType, "real numbers"),
+    (lambda s: s.slider("t", 0, float("inf")), BadValue, "finite"),
+    (lambda s: s.curve([0, 0], (sp.Symbol("u"), 1, 0)), BadValue, "low < high"),
+    (lambda s: s.curve([0, 0], (sp.Symbol("u"), 0, 1), samples=1), BadValue, "samples"),
+    (lambda s: s.curve([0, 0, 0], (sp.Symbol("u"), 0, 1)), BadValue, "each .x, y."),
+    (lambda s: s.view("v", (1, 0), (0, 1)), BadValue, "low < high"),
+    (lambda s: Scene(5), BadType, "text as title"),
 ])  # fmt: skip
 def test_bad_input(build, error, said):
     with pytest.raises(error, match=said):

@@ -6,13 +6,13 @@ from typing import Any
 
 import numpy as np
 
-from numeric import float_points
-from symbolic.errors import BadValue
+from numeric import float_points, real_number
+from symbolic.errors import BadValue, OutsideDomain, shown
 
 HIGHEST_DEGREE = 8  # nine points still fit a screen, and nine colours can be told apart
 
 
-def control_points(points: Any, highest_degree: int = HIGHEST_DEGREE) -> np.ndarray:
+def control_points(points: Any) -> np.ndarray:
     """Return two to nine control points in the plane, shape (n + 1, 2).
 
     Raises
@@ -21,10 +21,18 @@ def control_points(points: Any, highest_degree: int = HIGHEST_DEGREE) -> np.ndar
         As `float_points`, for points not in the plane, and for too few or too many.
     """
     rows = float_points(points)
-    if rows.shape[1] != 2 or not 2 <= len(rows) <= highest_degree + 1:
+    if rows.shape[1] != 2 or not 2 <= len(rows) <= HIGHEST_DEGREE + 1:
         raise BadValue(
-            f"2 to {highest_degree + 1} control points in the plane, shape (n + 1, 2)",
+            f"2 to {HIGHEST_DEGREE + 1} control points in the plane, shape (n + 1, 2)",
             f"shape {rows.shape}",
             "Leave some out, or split the curve into parts.",
         )
     return rows
+
+
+def unit_parameter(t: Any) -> float:
+    """Return a parameter in [0, 1] as a float."""
+    number = real_number(t, "t")
+    if not 0 <= number <= 1:
+        raise OutsideDomain("t in [0, 1]", shown(t), "Both ends belong to it.")
+    return number

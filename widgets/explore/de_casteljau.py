@@ -13,7 +13,7 @@ from symbolic.dag import substitute
 
 from ..figure import Figure
 from ..scene import Scene
-from .control_points import control_points
+from .control_points import control_points, unit_parameter
 
 CUBIC = ((0, 0), (1, 4), (5, 5), (8, 1))
 
@@ -51,7 +51,7 @@ def de_casteljau(points: Any = CUBIC, t: Any = Fraction(3, 8), step: int | None 
         "linear interpolation at t makes of it.",
     )
     b = scene.points(rows, name="b")
-    parameter = scene.slider("t", 0, 1, value=float(t))
+    parameter = scene.slider("t", 0, 1, value=unit_parameter(t))
     levels = levels_of(b, parameter)
     lerps = [(r, i) for r in range(1, n + 1) for i in range(n + 1 - r)]
     at = {entry: k for k, entry in enumerate(lerps, 1)}

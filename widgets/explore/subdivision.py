@@ -7,10 +7,11 @@ from typing import Any
 
 from symbolic import de_casteljau, subdivide
 from symbolic.errors import BadValue, shown
+from symbolic.exact import whole_number
 
 from ..figure import Figure
 from ..scene import Scene
-from .control_points import control_points
+from .control_points import control_points, unit_parameter
 from .de_casteljau import CUBIC
 
 _LEFT, _RIGHT = 0, 1  # colours of the two parts
@@ -42,7 +43,7 @@ def subdivision(points: Any = CUBIC, t: Any = Fraction(1, 2), depth: int | None 
     """
     rows = control_points(points)
     depth = (4 if len(rows) <= 5 else 3) if depth is None else depth
-    if depth not in range(_DEEPEST + 1):
+    if whole_number(depth) not in range(_DEEPEST + 1):
         raise BadValue(
             f"a depth from 0 to {_DEEPEST}", shown(depth), "Each split doubles the polygons."
         )
@@ -52,7 +53,7 @@ def subdivision(points: Any = CUBIC, t: Any = Fraction(1, 2), depth: int | None 
         "repeated splitting at t; they approach the curve.",
     )
     b = scene.points(rows, name="b")
-    parameter = scene.slider("t", 0, 1, value=float(t))
+    parameter = scene.slider("t", 0, 1, value=unit_parameter(t))
     scene.steps(_captions(depth), first=min(1, depth))
     scene.curve(de_casteljau(b, parameter)[-1][0], parameter, color="muted", width=4)
     scene.polyline(b, color="construction", dashed=True)

@@ -4,6 +4,7 @@
  */
 
 import { FINER, snapTo } from "./snap.js";
+import { shownRange } from "./transform.js";
 
 /** @typedef {import("./handles.js").Handle} Handle */
 
@@ -35,10 +36,11 @@ export function listenForDrags({ store, life }, drawing, handles, react) {
 
   function moveTo(/** @type {Handle} */ handle, /** @type {number} */ px, /** @type {number} */ py,
     /** @type {boolean} */ finer) {
-    const { map, view } = drawing;
+    const { map } = drawing;
+    const range = shownRange(map);
     const step = finer ? handle.step / FINER : handle.step;
     store.movePoint(handle.group, handle.index,
-      snapTo((px - map.ox) / map.sx, step, ...view.x), snapTo((py - map.oy) / map.sy, step, ...view.y));
+      snapTo((px - map.ox) / map.sx, step, ...range.x), snapTo((py - map.oy) / map.sy, step, ...range.y));
   }
 
   /** Touch areas overlap: the nearest handle is meant. */

@@ -1,6 +1,7 @@
 /** The keyboard on handles: arrows nudge by the snapping step, with Shift finer. */
 
 import { FINER, nudge } from "./snap.js";
+import { shownRange } from "./transform.js";
 
 /** @typedef {import("./handles.js").Handle} Handle */
 
@@ -13,7 +14,7 @@ const ARROWS = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowDown: [0, -1], Arr
  * @param {(event: Event) => Handle | undefined} find  the handle an event comes from
  * @param {(handle: Handle) => void} onMoved
  */
-export function listenForNudges({ root, store, life }, { view }, find, onMoved) {
+export function listenForNudges({ root, store, life }, drawing, find, onMoved) {
   // From the first press until the key is up: a held key is one move in the history.
   let moving = /** @type {Handle | null} */ (null);
 
@@ -24,10 +25,11 @@ export function listenForNudges({ root, store, life }, { view }, find, onMoved) 
     event.preventDefault();
     if (!moving) store.begin();
     moving = handle;
+    const range = shownRange(drawing.map);
     const step = event.shiftKey ? handle.step / FINER : handle.step;
     const [x, y] = store.state.points[handle.group][handle.index];
     store.movePoint(handle.group, handle.index,
-      nudge(x, arrow[0] * step, ...view.x), nudge(y, arrow[1] * step, ...view.y));
+      nudge(x, arrow[0] * step, ...range.x), nudge(y, arrow[1] * step, ...range.y));
   }
 
   function onEnd() {

@@ -17,7 +17,7 @@ function movableRow(/** @type {Figure} */ { scene, store, life, say },
   const view = scene.views[group.view];
   const point = () => store.state.points[group.name][index];
   const fields = /** @type {const} */ (["x", "y"]).map((axis, c) => createField(life, {
-    name: `${spoken(text)} ${axis}`, low: view[axis][0], high: view[axis][1],
+    name: `${spoken(text)} ${axis}`, low: 2 * view[axis][0] - view[axis][1], high: 2 * view[axis][1] - view[axis][0],
     accept(value) {
       const [x, y] = point();
       store.movePoint(group.name, index, c === 0 ? value : x, c === 1 ? value : y);

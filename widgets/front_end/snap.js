@@ -23,15 +23,16 @@ export function snapTo(value, step, low, high) {
 }
 
 /**
- * One nudge from `value` by `step`, staying in [low, high]; a point placed off the grid by a
- * number field keeps its offset, so that nudging back returns it exactly.
+ * One nudge from `value` by `step`, staying in [low, high] or, from outside, not leading farther
+ * away; a point placed off the grid by a number field keeps its offset, so that nudging back
+ * returns it exactly.
  * @param {number} value
  * @param {number} step  signed
  * @param {number} low
  * @param {number} high
  */
 export function nudge(value, step, low, high) {
-  return Math.min(Math.max(clean(value + step), low), high);
+  return Math.min(Math.max(clean(value + step), Math.min(low, value)), Math.max(high, value));
 }
 
 /** The step of something that does not snap: a power of ten near a hundredth of its range. */

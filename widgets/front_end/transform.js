@@ -47,6 +47,18 @@ export function fitView(view, width) {
 }
 
 /**
+ * The part of the plane that a drawing shows: more than its view where units are equal.
+ * @param {Transform} map
+ * @returns {{x: [number, number], y: [number, number]}}
+ */
+export function shownRange(map) {
+  return {
+    x: [(map.left - map.ox) / map.sx, (map.right - map.ox) / map.sx],
+    y: [(map.bottom - map.oy) / map.sy, (map.top - map.oy) / map.sy],
+  };
+}
+
+/**
  * Round numbers in [low, high], at most `most` of them: steps of 1, 2 or 5 times a power of ten.
  * @param {number} low
  * @param {number} high
