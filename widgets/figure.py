@@ -153,16 +153,11 @@ class Figure(anywidget.AnyWidget):
         return f"<Figure {self.scene['title']!r}: {', '.join(self.values)}>"
 
     def _repr_mimebundle_(self, **kwargs: Any) -> Any:
-        if self.comm is None:  # closed, or no kernel: it can still be looked at
-            return {"text/plain": repr(self), "text/html": self._embedded()}, {}
         bundle_ = super()._repr_mimebundle_(**kwargs)
         if not bundle_:
             return bundle_
         data, metadata = bundle_ if isinstance(bundle_, tuple) else (bundle_, {})
-        return {**data, "text/html": self._embedded()}, metadata
-
-    def _embedded(self) -> str:
-        return embedded(self.html(), self._poster())
+        return {**data, "text/html": embedded(self.html(), self._poster())}, metadata
 
     def _state(self) -> dict[str, Any]:
         return {"scene": self.scene, "points": self.points, "step": self.step,

@@ -71,7 +71,7 @@ def test_without_scripts_the_poster_is_seen(
     with browser.new_context(java_script_enabled=False, offline=True) as context:
         page = embedded(context.new_page(), tmp_path / "book.html")
         poster = page.frame_locator("iframe").locator("img")
-        expect(poster).to_be_visible()
+        expect(poster).to_be_visible(timeout=30_000)
         box = poster.bounding_box()
         page.screenshot(path=artefacts / "static_without_scripts.png")
         assert box is not None and box["width"] > 400

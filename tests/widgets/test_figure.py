@@ -114,8 +114,9 @@ def test_a_mark_is_gone_after_its_last_step():
 
 def test_a_closed_figure_can_still_be_looked_at(fig):
     fig.close()
-    data, _ = fig._repr_mimebundle_()
-    assert "<img" in data["text/html"]
+    assert fig.picture().axes
+    assert "casteljau-figure" in fig.html()
+    assert repr(fig).startswith("<Figure")
 
 
 def test_a_figure_says_what_it_is(fig):
