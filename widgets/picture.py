@@ -113,12 +113,15 @@ def _handles(axis: Any, group: dict[str, Any], points: np.ndarray, theme: str) -
 
 
 def _label(axis: Any, label: str, point: np.ndarray, color: str) -> None:
+    """Write a label beside a point, away from the middle, where the lines are."""
     from matplotlib.patheffects import withStroke
 
     halo = withStroke(linewidth=3, foreground=axis.get_facecolor())
+    outwards = point - [np.mean(axis.get_xlim()), np.mean(axis.get_ylim())]
+    shift = 14 * outwards / (np.hypot(*outwards) or 1)
     shown_label = _math(label)
-    axis.annotate(shown_label, point, parse_math=shown_label != label, xytext=(6, 7),
-                  textcoords="offset points", color=color, fontsize=12,
+    axis.annotate(shown_label, point, parse_math=shown_label != label, xytext=shift,
+                  textcoords="offset points", ha="center", va="center", color=color, fontsize=12,
                   math_fontfamily="stix", path_effects=[halo], zorder=7)  # fmt: skip
 
 
