@@ -34,7 +34,7 @@ h1 {{ position: absolute; width: 1px; height: 1px; overflow: hidden; clip-path: 
 # the frame and the styles away, and the picture is what remains to be seen.
 _EMBEDDED = (
     '<div style="position: relative; min-height: 46rem">{poster}'
-    '<iframe srcdoc="{page}" sandbox="allow-scripts" title="{title}" loading="lazy" style="'
+    '<iframe srcdoc="{page}" sandbox="allow-scripts" title="{title}" style="'
     'position: absolute; inset: 0; width: 100%; height: 100%; border: 0"></iframe></div>'
 )
 

@@ -68,10 +68,13 @@ def test_embedded_in_another_page_it_lives_in_its_sandbox(
 def test_without_scripts_the_poster_is_seen(
     browser: Browser, tmp_path: Path, artefacts: Path
 ) -> None:
+    file = tmp_path / "figure.html"
+    file.write_text(html("de_casteljau"), encoding="utf-8")
     with browser.new_context(java_script_enabled=False, offline=True) as context:
-        page = embedded(context.new_page(), tmp_path / "book.html")
-        poster = page.frame_locator("iframe").locator("img")
-        expect(poster).to_be_visible(timeout=30_000)
+        page = context.new_page()
+        page.goto(file.as_uri())
+        poster = page.get_by_role("img")
+        expect(poster).to_be_visible()
         box = poster.bounding_box()
         page.screenshot(path=artefacts / "static_without_scripts.png")
         assert box is not None and box["width"] > 400

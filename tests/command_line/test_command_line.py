@@ -15,6 +15,7 @@ import casteljau
 from serving import Lab, free_port
 
 CASTELJAU = str(Path(sys.executable).with_name("casteljau"))
+ROOT = Path(__file__).parents[2]
 
 
 def run(
@@ -109,7 +110,7 @@ def test_the_lab_answers_and_opens_the_first_lesson(
     token = query.partition("?")[2]
     with urlopen(f"{root}/api/contents?{token}", timeout=30) as answer:
         listing = answer.read().decode()
-    copies = {path.name for path in jupyterlab.folder.glob("*.ipynb")}
+    copies = {f"{path.stem}.ipynb" for path in (ROOT / "lessons").glob("[0-9][0-9]_*.md")}
     assert copies and all(name in listing for name in copies)
     first_line = jupyterlab.log.read_text().splitlines()[0]
     assert first_line == f"{len(copies)} lessons in {jupyterlab.folder}: {len(copies)} written."
