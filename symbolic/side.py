@@ -84,7 +84,8 @@ def evaluated(expression: sp.Expr) -> sp.Expr:
     Raises
     ------
     NoNormalForm
-        Where carrying them out could take forever: long sums, integrals of no polynomial.
+        Where carrying them out could take forever: long sums, integrals of no polynomial. And for
+        a symbol declared to be zero, since a witness would give it another value.
 
     Examples
     --------
@@ -93,6 +94,9 @@ def evaluated(expression: sp.Expr) -> sp.Expr:
     3*t**2
     """
     nodes = list(postorder([expression]))
+    zeros = [node for node in nodes if node.is_Symbol and node.is_zero]
+    if zeros:
+        raise NoNormalForm(f"{zeros[0]} is declared to be zero: write 0")
     if not any(isinstance(node, tuple(_LIMITS)) for node in nodes):
         return expression
     for node in nodes:

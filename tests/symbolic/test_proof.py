@@ -174,6 +174,12 @@ def test_what_would_take_forever_is_undecided(left, right):
     assert isinstance(prove(left, right), Undecided)
 
 
+def test_a_symbol_declared_to_be_zero_is_not_given_another_value():
+    zero = sp.Symbol("z", zero=True)
+    assert isinstance(prove(zero + x, x), Undecided)
+    assert isinstance(prove(sp.Derivative(zero * x, x), 0), Undecided)
+
+
 def test_odd_powers_of_zero():
     assert prove(sp.Pow(0, 0, evaluate=False), 1)
     assert isinstance(prove(sp.Pow(0, Rational(-1, 2), evaluate=False), 0), Undecided)
