@@ -3,17 +3,17 @@
 Every name a user needs is listed here; points are rows, results are exact.
 """
 
-from .basis import Basis, Geometry
-from .bezier import bernstein, bezier
-from .check import check
-from .constraints import Condition, derivative, value
-from .de_casteljau import de_casteljau, subdivide
-from .derivation import Derivation, Step
+from .answers.check import check
+from .bases.basis import Basis, Geometry
+from .bases.bezier import bernstein, bezier
+from .bases.constraints import Condition, derivative, value
+from .bases.from_constraints import basis_from
+from .bases.hermite import hermite
+from .curves.de_casteljau import de_casteljau, subdivide
 from .errors import BadType, BadValue, NotExact, OutsideDomain, UnsolvableConstraints
-from .from_constraints import basis_from
-from .hermite import hermite
-from .proof import prove
-from .verdict import Proved, Refuted, Undecided, Verdict
+from .proofs.derivation import Derivation, Step
+from .proofs.proof import prove
+from .proofs.verdict import Proved, Refuted, Undecided, Verdict
 
 FAMILIES = {"Bezier": bezier, "Hermite": hermite}
 """The spline families by name; the laws in the tests run over all of them."""

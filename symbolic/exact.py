@@ -13,6 +13,9 @@ import sympy as sp
 from .dag import postorder, substitute
 from .errors import BadType, BadValue, NotExact, shown
 
+PARAMETER = sp.Symbol("t")
+"""The parameter of every curve."""
+
 Point = tuple[sp.Expr, ...]
 _NOT_FINITE = frozenset((sp.nan, sp.oo, -sp.oo, sp.zoo))
 

@@ -7,12 +7,9 @@ from typing import Any
 
 import sympy as sp
 
-from .dag import postorder
-from .errors import BadValue, shown
-from .exact import by_name, exact, whole_number
-
-PARAMETER = sp.Symbol("t")
-"""The parameter of every curve."""
+from ..dag import postorder
+from ..errors import BadValue, shown
+from ..exact import PARAMETER, by_name, exact, whole_number
 
 
 @dataclass(frozen=True)

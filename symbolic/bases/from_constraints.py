@@ -9,12 +9,12 @@ from typing import Any
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from ..errors import BadType, BadValue, UnsolvableConstraints, shown
+from ..exact import PARAMETER, as_list, by_name, exact
+from ..exact_matrix import dense, product, solution, to_matrix
+from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
-from .constraints import PARAMETER, Condition
-from .derivation import Derivation, Step
-from .errors import BadType, BadValue, UnsolvableConstraints, shown
-from .exact import as_list, by_name, exact
-from .exact_matrix import dense, product, solution, to_matrix
+from .constraints import Condition
 
 _LETTERS = {0: "P", 1: "T", 2: "A", 3: "J"}  # position, tangent, acceleration, jerk
 

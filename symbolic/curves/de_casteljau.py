@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from .exact import Point, exact, exact_points
+from ..exact import Point, exact, exact_points
 
 Levels = tuple[tuple[Point, ...], ...]
 

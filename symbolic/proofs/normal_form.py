@@ -18,7 +18,7 @@ from sympy.polys.fields import FracField
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyRing
 
-from .dag import postorder
+from ..dag import postorder
 
 # Limits, so that a short text cannot keep a reader waiting for longer than a few seconds.
 HIGHEST_POWER = 512

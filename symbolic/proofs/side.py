@@ -10,9 +10,9 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.exceptions import MatrixError
 
-from .dag import postorder
-from .errors import BadType, BadValue, shown
-from .exact import as_list, by_name, exact
+from ..dag import postorder
+from ..errors import BadType, BadValue, shown
+from ..exact import as_list, by_name, exact
 from .normal_form import HIGHEST_POWER, NoNormalForm
 
 _DEEPEST_LIST = 8

@@ -7,8 +7,8 @@ from typing import Any
 
 import sympy as sp
 
-from .constraints import PARAMETER
-from .side import read_side
+from ..exact import PARAMETER
+from ..proofs.side import read_side
 
 
 def typical_mistakes(expected: Any) -> dict[str, Any]:

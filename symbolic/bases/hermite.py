@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from functools import lru_cache
 
+from ..errors import BadValue, shown
+from ..exact import whole_number
 from .basis import Basis
 from .constraints import derivative, value
-from .errors import BadValue, shown
-from .exact import whole_number
 from .from_constraints import basis_from
 
 

@@ -6,12 +6,12 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from .errors import BadType, BadValue, NotExact
-from .exact import as_list
+from ..errors import BadType, BadValue, NotExact
+from ..exact import as_list
+from ..proofs.proof import prove_sides
+from ..proofs.side import Side, read_side
+from ..proofs.verdict import Proved, Refuted, Undecided, Verdict, shown_number
 from .mistakes import typical_mistakes
-from .proof import prove_sides
-from .side import Side, read_side
-from .verdict import Proved, Refuted, Undecided, Verdict, shown_number
 
 
 def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None) -> Verdict:

@@ -10,11 +10,10 @@ from typing import Any, Literal
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
-from .constraints import PARAMETER
-from .derivation import Derivation
-from .errors import BadType, BadValue, shown
-from .exact import exact_points
-from .exact_matrix import product, to_matrix
+from ..errors import BadType, BadValue, shown
+from ..exact import PARAMETER, exact_points
+from ..exact_matrix import product, to_matrix
+from ..proofs.derivation import Derivation
 
 
 @dataclass(frozen=True)

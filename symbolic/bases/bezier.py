@@ -6,12 +6,11 @@ from functools import lru_cache
 
 import sympy as sp
 
+from ..errors import BadValue, shown
+from ..exact import PARAMETER, whole_number
+from ..exact_matrix import dense
+from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
-from .constraints import PARAMETER
-from .derivation import Derivation, Step
-from .errors import BadValue, shown
-from .exact import whole_number
-from .exact_matrix import dense
 
 
 def bezier(n: int) -> Basis:

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from .errors import BadType
+from ..errors import BadType
 from .normal_form import NoNormalForm, NormalForms, normal_forms
 from .side import Side, evaluated, read_side
 from .verdict import Proved, Refuted, Undecided, Verdict

@@ -1,0 +1,1 @@
+"""Checking somebody's answer: right, wrong and why, or undecided."""

@@ -1,0 +1,1 @@
+"""Bezier curves given by control points: evaluate, split, differentiate, raise and reduce."""

@@ -1,0 +1,1 @@
+"""Verdicts on equalities, and derivations made of proved steps."""
