@@ -1,4 +1,4 @@
-"""The exact linear algebra behind bases: small dense matrices over QQ or QQ[parameters].
+"""The exact linear algebra behind bases: small dense matrices over QQ or QQ(parameters).
 
 SymPy's dense DomainMatrix is used throughout (with FLINT below it where installed): the inverse
 of the degree 7 Hermite constraints takes microseconds there, milliseconds with `Matrix.inv`.
@@ -11,15 +11,18 @@ from collections.abc import Sequence
 import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
+from .fields import common_field
 
-def dense(rows: Sequence[Sequence[sp.Expr]]) -> DomainMatrix:
+
+def dense(rows: Sequence[Sequence[sp.Expr | int]]) -> DomainMatrix:
     """Return rows of exact expressions as a dense matrix over the smallest field that fits.
 
     >>> dense([[sp.Integer(1), sp.Rational(1, 2)]]).domain
     QQ
     """
-    matrix = sp.ImmutableMatrix(rows)
-    return DomainMatrix.from_Matrix(matrix, extension=True).to_field().to_dense()
+    field, elements = common_field(entry + sp.S.Zero for row in rows for entry in row)
+    shape = (len(rows), len(rows[0]) if rows else 0)
+    return DomainMatrix.from_list_flat(elements, shape, field).to_dense()
 
 
 def product(left: DomainMatrix, right: DomainMatrix) -> DomainMatrix:
