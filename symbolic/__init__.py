@@ -9,7 +9,13 @@ from .bases.bezier import bernstein, bezier
 from .bases.constraints import Condition, derivative, value
 from .bases.from_constraints import basis_from
 from .bases.hermite import hermite
-from .curves.de_casteljau import de_casteljau, subdivide
+from .blossoms.blossom import Blossom, blossom
+from .blossoms.candidate import check_blossom
+from .curves.conversion import polynomial_to_bezier
+from .curves.de_casteljau import de_casteljau, polar_levels, restrict, subdivide
+from .curves.degree import Reduction, elevate_degree, reduce_degree
+from .curves.hodograph import antiderivative, hodograph
+from .curves.properties import bezier_properties
 from .errors import BadType, BadValue, NotExact, OutsideDomain, UnsolvableConstraints
 from .proofs.derivation import Derivation, Step
 from .proofs.proof import prove
@@ -23,25 +29,37 @@ __all__ = [
     "BadType",
     "BadValue",
     "Basis",
+    "Blossom",
     "Condition",
     "Derivation",
     "Geometry",
     "NotExact",
     "OutsideDomain",
     "Proved",
+    "Reduction",
     "Refuted",
     "Step",
     "Undecided",
     "UnsolvableConstraints",
     "Verdict",
+    "antiderivative",
     "basis_from",
     "bernstein",
     "bezier",
+    "bezier_properties",
+    "blossom",
     "check",
+    "check_blossom",
     "de_casteljau",
     "derivative",
+    "elevate_degree",
     "hermite",
+    "hodograph",
+    "polar_levels",
+    "polynomial_to_bezier",
     "prove",
+    "reduce_degree",
+    "restrict",
     "subdivide",
     "value",
 ]

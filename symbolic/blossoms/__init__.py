@@ -1,0 +1,1 @@
+"""Blossoms (polar forms): the symmetric multi-affine maps behind Bezier curves and splines."""

@@ -1,0 +1,139 @@
+"""Checking somebody's blossom: which of the three axioms fails, and where it shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import sympy as sp
+
+from ..dag import substitute
+from ..errors import BadValue, shown
+from ..exact import PARAMETER, as_list, by_name, exact
+from ..proofs.proof import prove
+from ..proofs.verdict import Refuted, Verdict
+from .blossom import blossom
+
+
+def check_blossom(
+    candidate: Any,
+    polynomial: Any,
+    arguments: Sequence[sp.Symbol] | None = None,
+    t: sp.Symbol = PARAMETER,
+) -> Verdict:
+    r"""Decide whether a candidate is the blossom of a polynomial, axiom by axiom.
+
+    The blossom with n arguments is the only f that is multi-affine, f(..., (1-w)a + wb, ...) =
+    (1-w) f(..., a, ...) + w f(..., b, ...), symmetric, and has f(t, ..., t) = F(t).
+
+    Parameters
+    ----------
+    candidate : expression, or a list of expressions (one per coordinate)
+    polynomial : polynomial in t, or a list of the same length
+    arguments : list of Symbol, optional
+        The arguments of the candidate; by default its symbols that do not occur in the
+        polynomial, by name. Give them when the candidate does not mention all of them.
+    t : Symbol
+
+    Returns
+    -------
+    Verdict
+        `Proved`; or `Refuted`, where the diagnosis names the axioms that fail, `where` the first
+        of them, and the witness gives values at which its two sides differ; or `Undecided`.
+
+    Raises
+    ------
+    BadValue
+        For lists of different lengths, or arguments that are not different symbols.
+
+    Examples
+    --------
+    >>> a, b, t = sp.symbols("a b t")
+    >>> check_blossom(a*b, t**2)
+    Proved: multi-affine, symmetric, and on the diagonal the polynomial: this is the blossom.
+    >>> print(check_blossom(a**2/2 + b**2/2, t**2).diagnosis)
+    Not multi-affine: it is not affine in a.
+    >>> print(check_blossom((a + 2*b)/3, t, [a, b]).diagnosis)
+    Not symmetric: exchanging a and b changes the value.
+    """
+    given = _coordinates(candidate)
+    expected = _coordinates(polynomial)
+    if len(given) != len(expected):
+        raise BadValue(
+            f"{len(expected)} coordinates, as the polynomial has",
+            f"{len(given)}",
+            "Give one expression per coordinate.",
+        )
+    blossom(list(expected), t)  # refuses what is no polynomial
+    u = _arguments(given, expected, arguments, t)
+    variable = sp.Symbol(t.name)
+    if variable not in u and any(variable in e.free_symbols for e in given):
+        verdict = prove(list(substitute(given, {variable: sp.Symbol(f"{t.name}_1")})), list(given))
+        if not verdict:
+            return replace(verdict, diagnosis=_not_polar(given, expected, t))
+        given = tuple(substitute(given, {variable: sp.S.Zero}))  # it cancels
+    failures: dict[str, Refuted] = {}
+    undecided: Verdict | None = None
+    for axiom, sentence, left, right in _claims(given, expected, u, variable):
+        if axiom in failures:
+            continue
+        verdict = prove(left, right)
+        if isinstance(verdict, Refuted):
+            failures[axiom] = replace(verdict, where=axiom, diagnosis=f"{axiom}: {sentence}.")
+        elif not verdict:
+            undecided = verdict
+    if failures:
+        diagnosis = " ".join(refuted.diagnosis for refuted in failures.values())
+        return replace(next(iter(failures.values())), diagnosis=diagnosis)
+    return undecided or replace(verdict, diagnosis=_RIGHT)
+
+
+_RIGHT = "Proved: multi-affine, symmetric, and on the diagonal the polynomial: this is the blossom."
+
+
+def _not_polar(given: Sequence[sp.Expr], expected: Sequence[sp.Expr], t: sp.Symbol) -> str:
+    """Answer a candidate that still depends on the parameter of the polynomial."""
+    if prove(list(given), list(expected)):
+        return "This is the polynomial itself: a blossom has one argument per degree."
+    return f"It still contains {t}: a blossom has arguments of its own, one per degree."
+
+
+def _claims(
+    f: Sequence[sp.Expr], polynomial: Sequence[sp.Expr], u: Sequence[sp.Symbol], t: sp.Symbol
+) -> Iterator[tuple[str, str, list[sp.Expr], list[sp.Expr]]]:
+    """Yield every axiom as (name, what fails, left sides, right sides), argument by argument."""
+    w = sp.Symbol("w_affine")
+    for x in u:
+        a, b = sp.Symbol(f"{x}_a"), sp.Symbol(f"{x}_b")
+        mixed = substitute(f, {x: (1 - w) * a + w * b})
+        ends = zip(substitute(f, {x: a}), substitute(f, {x: b}), strict=True)
+        yield ("Not multi-affine", f"it is not affine in {x}", mixed,
+               [(1 - w) * p + w * q for p, q in ends])  # fmt: skip
+    for x, y in zip(u, u[1:], strict=False):
+        yield ("Not symmetric", f"exchanging {x} and {y} changes the value",
+               substitute(f, {x: y, y: x}), list(f))  # fmt: skip
+    equal = ", ".join([str(t)] * len(u))
+    yield ("Wrong diagonal", f"f({equal}) is not the polynomial",
+           substitute(f, dict.fromkeys(u, t)), list(polynomial))  # fmt: skip
+
+
+def _coordinates(value: Any) -> tuple[sp.Expr, ...]:
+    listed = as_list(value)
+    return tuple(by_name(exact(e)) for e in (listed if listed is not None else [value]))
+
+
+def _arguments(
+    given: Sequence[sp.Expr],
+    expected: Sequence[sp.Expr],
+    arguments: Sequence[sp.Symbol] | None,
+    t: sp.Symbol,
+) -> list[sp.Symbol]:
+    if arguments is None:
+        known = {s for e in expected for s in e.free_symbols} | {sp.Symbol(t.name)}
+        free = {s for e in given for s in e.free_symbols} - known
+        return sorted(free, key=lambda s: (len(s.name), s.name))
+    listed = as_list(arguments) or []
+    if not all(isinstance(x, sp.Symbol) for x in listed) or len({*listed}) < len(listed):
+        raise BadValue("different symbols as arguments", shown(arguments), "Write symbols('u1:4').")
+    return [sp.Symbol(x.name) for x in listed]

@@ -1,0 +1,239 @@
+"""The properties of Bezier curves as statements that are proved, for any given degree."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+
+import sympy as sp
+
+from ..bases.bezier import bernstein, bezier
+from ..dag import substitute
+from ..exact import PARAMETER
+from ..proofs.derivation import Derivation, Step
+
+t = PARAMETER
+
+
+def bezier_properties(n: int) -> dict[str, Derivation]:
+    """Return the derivations of all properties below for degree n >= 1, by name.
+
+    Raises
+    ------
+    BadValue
+        If n is not a positive integer.
+
+    Examples
+    --------
+    >>> properties = bezier_properties(3)
+    >>> list(properties)[:3]
+    ['partition of unity', 'end points', 'symmetry']
+    >>> all(derivation.is_proved for derivation in properties.values())
+    True
+    """
+    return {name: derive(n) for name, derive in PROPERTIES.items()}
+
+
+def partition_of_unity(n: int) -> Derivation:
+    """Return the proof that the Bernstein polynomials sum to one: ((1 - t) + t)^n = 1.
+
+    >>> print(partition_of_unity(1).steps[1])
+    t + (1 - t) = 1, because the two terms cancel
+    """
+    total = _sum(_weights(n))
+    binomial = sp.Pow(_sum((1 - t, t)), n, evaluate=False)
+    return Derivation(
+        f"Partition of unity, degree {n}",
+        (
+            Step(binomial, total, "the binomial theorem"),
+            Step(binomial.base, sp.S.One, "the two terms cancel"),
+            Step(total, sp.S.One, "one to any power is one"),
+        ),
+    )
+
+
+def end_points(n: int) -> Derivation:
+    """Return the proof that the curve begins at P0 and ends at Pn.
+
+    >>> end_points(2).is_proved
+    True
+    """
+    points = _points(n)
+    curve = _curve(_weights(n), points)
+    return Derivation(
+        f"End point interpolation, degree {n}",
+        (
+            Step(sp.Subs(curve, t, 0), points[0], "at t = 0 all weights but the first vanish"),
+            Step(sp.Subs(curve, t, 1), points[n], "at t = 1 all weights but the last vanish"),
+        ),
+    )
+
+
+def symmetry(n: int) -> Derivation:
+    """Return the proof that reversed control points give the curve run through backwards.
+
+    >>> symmetry(2).is_proved
+    True
+    """
+    weights, points = _weights(n), _points(n)
+    mirrored = substitute(weights, {t: 1 - t})
+    return Derivation(
+        f"Symmetry, degree {n}",
+        (
+            *(Step(mirrored[n - i], weights[i], f"weight {i} at t is weight {n - i} at 1 - t")
+              for i in range(n + 1)),
+            Step(_curve(mirrored, points), _curve(weights, points[::-1]),
+                 "so the reversed control points give the same curve, from the other end"),
+        ),
+    )  # fmt: skip
+
+
+def affine_invariance(n: int) -> Derivation:
+    """Return the proof that mapping the control points by A x + d maps the curve by A x + d.
+
+    One row of the map is enough, the others are alike: x, y goes to a x + b y + d.
+
+    >>> affine_invariance(2).is_proved
+    True
+    """
+    weights = _weights(n)
+    a, b, d = sp.symbols("a b d")
+    x, y = sp.symbols(f"x0:{n + 1}"), sp.symbols(f"y0:{n + 1}")
+    mapped = [a * p + b * q + d for p, q in zip(x, y, strict=True)]
+    total = _sum(weights)
+    return Derivation(
+        f"Affine invariance, degree {n}",
+        (
+            Step(_curve(weights, mapped),
+                 a * _curve(weights, x) + b * _curve(weights, y) + d * total,
+                 "sums and factors move out of a sum of weighted points"),
+            Step(total, sp.S.One, "the weights sum to one"),
+            Step(_curve(weights, mapped), a * _curve(weights, x) + b * _curve(weights, y) + d,
+                 "so the curve of the mapped points is the mapped curve"),
+        ),
+    )  # fmt: skip
+
+
+def linear_precision(n: int) -> Derivation:
+    """Return the proof that equally spaced points on a line give the line, at constant speed.
+
+    >>> linear_precision(3).is_proved
+    True
+    """
+    weights = _weights(n)
+    terms = [sp.Rational(i, n) * w for i, w in enumerate(weights)]
+    lower = bernstein(n - 1)
+    p, q = sp.symbols("P Q")
+    spaced = [p + sp.Rational(i, n) * (q - p) for i in range(n + 1)]
+    return Derivation(
+        f"Linear precision, degree {n}",
+        (
+            *(Step(terms[i], t * lower[i - 1], f"{i}/{n} C({n}, {i}) = C({n - 1}, {i - 1})")
+              for i in range(1, n + 1)),
+            Step(_sum(terms), t, "t times the weights of one degree less, which sum to one"),
+            Step(_curve(weights, spaced), p + t * (q - p),
+                 "so equally spaced points from P to Q give the segment from P to Q"),
+        ),
+    )  # fmt: skip
+
+
+def pseudo_local_maximum(n: int) -> Derivation:
+    """Return the proof that weight i is largest at t = i/n, among all t in [0, 1].
+
+    The derivative is a product whose other factors are not negative on [0, 1], so its sign is that
+    of i - n t: the weight rises up to i/n and falls from there on.
+
+    >>> pseudo_local_maximum(3).is_proved
+    True
+    """
+    steps = []
+    for i, weight in enumerate(_weights(n)):
+        if i == 0:
+            slope = -n * (1 - t) ** (n - 1)
+            because = "not positive on [0, 1]: it falls from its maximum at 0"
+        elif i == n:
+            slope = n * t ** (n - 1)
+            because = "not negative on [0, 1]: it rises to its maximum at 1"
+        else:
+            slope = sp.binomial(n, i) * t ** (i - 1) * (1 - t) ** (n - i - 1) * (i - n * t)
+            because = (
+                f"its sign on [0, 1] is that of {i} - {n} t: it rises up to {i}/{n}, then falls"
+            )
+        steps.append(Step(sp.Derivative(weight, t), slope, because))
+        largest = sp.Rational(i**i * (n - i) ** (n - i), n**n) * sp.binomial(n, i)
+        steps.append(Step(sp.Subs(weight, t, sp.Rational(i, n)), largest, f"its value at {i}/{n}"))
+    return Derivation(f"Weight i is largest at i/n, degree {n}", tuple(steps))
+
+
+def non_negativity(n: int) -> Derivation:
+    """Return the proof that no weight is negative on [0, 1], whence the convex hull property.
+
+    For u >= 0 the parameter t = u/(1 + u) runs over [0, 1), and the weights there are quotients
+    without any minus sign; at t = 1 they are 0 or 1.
+
+    >>> non_negativity(2).is_proved
+    True
+    """
+    u = sp.Symbol("u")
+    steps = []
+    for i, weight in enumerate(_weights(n)):
+        (moved,) = substitute([weight], {t: u / (1 + u)})
+        steps.append(
+            Step(moved, sp.binomial(n, i) * u**i / (1 + u) ** n,
+                 f"weight {i} at t = u/(1 + u): no minus sign is left, so it is not negative")
+        )  # fmt: skip
+        steps.append(Step(sp.Subs(weight, t, 1), sp.Integer(int(i == n)), f"weight {i} at t = 1"))
+    return Derivation(f"Weights are not negative on [0, 1], degree {n}", tuple(steps))
+
+
+def derivatives_from_the_scheme(n: int) -> Derivation:
+    """Return the proof that the last chords of de Casteljau's scheme give the derivatives.
+
+    c'(t) = n (b_1^{n-1} - b_0^{n-1}) and, for n >= 2,
+    c''(t) = n (n - 1)(b_2^{n-2} - 2 b_1^{n-2} + b_0^{n-2}).
+
+    >>> derivatives_from_the_scheme(3).is_proved
+    True
+    """
+    points = _points(n)
+    curve = _curve(_weights(n), points)
+
+    def b(i: int, r: int) -> sp.Expr:
+        return _curve(bernstein(r), points[i : i + r + 1])
+
+    steps = [Step(sp.Derivative(curve, t), n * (b(1, n - 1) - b(0, n - 1)),
+                  f"{n} times the chord between the two points before the last")]  # fmt: skip
+    if n > 1:
+        second = n * (n - 1) * (b(2, n - 2) - 2 * b(1, n - 2) + b(0, n - 2))
+        steps.append(Step(sp.Derivative(curve, (t, 2)), second,
+                          f"{n} times {n - 1} times a second difference, two levels before the last"
+                          ))  # fmt: skip
+    return Derivation(f"Derivatives from de Casteljau's scheme, degree {n}", tuple(steps))
+
+
+PROPERTIES: dict[str, Callable[[int], Derivation]] = {
+    "partition of unity": partition_of_unity,
+    "end points": end_points,
+    "symmetry": symmetry,
+    "affine invariance": affine_invariance,
+    "linear precision": linear_precision,
+    "pseudo-local maximum": pseudo_local_maximum,
+    "non-negativity": non_negativity,
+    "derivatives from the scheme": derivatives_from_the_scheme,
+}
+
+
+def _weights(n: int) -> tuple[sp.Expr, ...]:
+    return bernstein(bezier(n).degree)  # which refuses what is no degree
+
+
+def _points(n: int) -> tuple[sp.Symbol, ...]:
+    return tuple(sp.symbols(f"P0:{n + 1}"))
+
+
+def _curve(weights: Sequence[sp.Expr], points: Sequence[sp.Expr]) -> sp.Expr:
+    return sp.Add(*(w * p for w, p in zip(weights, points, strict=True)))
+
+
+def _sum(terms: Sequence[sp.Expr]) -> sp.Add:
+    """Return a sum that is not carried out, so that a reader sees its terms."""
+    return sp.Add(*terms, evaluate=False)
