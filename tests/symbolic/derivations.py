@@ -6,10 +6,22 @@ degrees small: every step is corrupted in several ways and decided again.
 
 from collections.abc import Callable
 
-from symbolic import Derivation, bezier, hermite
+import sympy as sp
+
+from symbolic import Derivation, bezier, bezier_properties, blossom, hermite
 
 DERIVATIONS: list[tuple[str, Callable[[], Derivation]]] = [
     ("Bezier 3", lambda: bezier(3).derivation),
     ("Hermite 3", lambda: hermite(3).derivation),
     ("Hermite 5", lambda: hermite(5).derivation),
+]
+
+t = sp.Symbol("t")
+DERIVATIONS += [
+    (f"Bezier curve: {name}", lambda name=name: bezier_properties(3)[name])
+    for name in bezier_properties(3)
+]
+DERIVATIONS += [
+    ("Blossom of a cubic", lambda: blossom(t**3 - 2 * t + 5).certificate()),
+    ("Blossom of a curve", lambda: blossom([t**2, 1 - t]).certificate()),
 ]
