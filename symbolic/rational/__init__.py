@@ -1,0 +1,1 @@
+"""Rational curves: weights, conics, circles, NURBS, and the equations of plane curves."""
