@@ -101,6 +101,16 @@ def projected(rows: Sequence[Point]) -> tuple[tuple[Point, ...], Point]:
     )
 
 
+def quotient(a: sp.Expr, b: sp.Expr) -> sp.Expr:
+    """Return a/b in the field of both, so that common factors and roots leave the denominator.
+
+    >>> quotient(sp.S(1), 1 + sp.sqrt(2))
+    -1 + sqrt(2)
+    """
+    field, (left, right) = common_field([a, b])
+    return field.to_sympy(left / right)
+
+
 def _require_curve(signs: Sequence[int | None]) -> None:
     if all(s == 0 for s in signs):
         raise BadValue("weights that are not all zero", "only zeros", "Use 1 for every point.")

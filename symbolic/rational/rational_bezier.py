@@ -13,9 +13,8 @@ from ..curves.de_casteljau import Levels, de_casteljau, subdivide
 from ..curves.degree import elevate_degree
 from ..errors import BadValue, shown
 from ..exact import Point, by_name, exact, exact_points
-from ..fields import common_field
 from ..signs import sign
-from .homogeneous import lifted, projected, read_weighted, warn_of_hull
+from .homogeneous import lifted, projected, quotient, read_weighted, warn_of_hull
 
 
 class RationalLevels(NamedTuple):
@@ -225,7 +224,7 @@ class RationalBezier:
         >>> RationalBezier([[1, 0], [1, 1], [0, 1]], [1, 1, 2]).standard_form().weights
         (1, sqrt(2)/2, 1)
         """
-        ratio = _quotient(self.weights[0], self.weights[-1])
+        ratio = quotient(self.weights[0], self.weights[-1])
         if sign(ratio) != 1:
             raise BadValue(
                 "end weights that are numbers of one sign",
@@ -235,7 +234,7 @@ class RationalBezier:
         scale = 1 / self.weights[0]
         try:
             same = self.reparametrized(sp.sqrtdenest(sp.root(ratio, self.degree)))
-            rows = [tuple(_quotient(x, self.weights[0]) for x in row) for row in same.homogeneous]
+            rows = [tuple(quotient(x, self.weights[0]) for x in row) for row in same.homogeneous]
         except BadValue:
             raise BadValue(
                 f"end weights whose ratio has an exact root of order {self.degree}",
@@ -255,9 +254,3 @@ class RationalBezier:
 
 def _read(value: Any) -> sp.Expr:
     return by_name(exact(value))
-
-
-def _quotient(a: sp.Expr, b: sp.Expr) -> sp.Expr:
-    """Return a/b in the field of both, so that roots leave the denominator."""
-    field, (left, right) = common_field([a, b])
-    return field.to_sympy(left / right)

@@ -1,0 +1,126 @@
+"""Plane and space curves as polynomials over one denominator: c(t) = (X(t), Y(t), ...) / W(t)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from functools import reduce
+from typing import Any
+
+import sympy as sp
+from sympy.polys.densearith import dup_exquo
+from sympy.polys.domains.domain import Domain
+from sympy.polys.euclidtools import dup_gcd
+
+from ..curves.conversion import polynomial_to_bezier
+from ..errors import BadType, BadValue, shown
+from ..exact import PARAMETER, as_list, by_name, exact
+from ..fields import common_field
+from ..polynomials import Coefficients, expression, polynomials
+from .rational_bezier import RationalBezier
+
+
+def over_one_denominator(
+    curve: RationalBezier | Any, parameter: sp.Symbol = PARAMETER
+) -> tuple[Domain, list[Coefficients]]:
+    """Return X, Y, ..., W of a curve as coefficients in one field, without common factor.
+
+    Parameters
+    ----------
+    curve : RationalBezier, or one rational function of the parameter per coordinate
+
+    Raises
+    ------
+    BadValue, BadType, NotExact
+        For coordinates that are no rational functions of the parameter, with numbers, roots and
+        other symbols as coefficients.
+
+    Examples
+    --------
+    >>> t = sp.Symbol("t")
+    >>> over_one_denominator([(1 - t**2)/(1 + t**2), 2*t/(1 + t**2)])
+    (QQ, [[-1, 0, 1], [2, 0], [1, 0, 1]])
+    """
+    if isinstance(curve, RationalBezier):
+        numerators, denominator = curve.fractions
+        field, found = polynomials((*numerators, denominator), PARAMETER)
+    else:
+        field, found = _of_expressions(_read(curve), parameter)
+    if field.is_FractionField and not all(s.is_Symbol for s in field.symbols):
+        raise BadValue("fewer different roots", f"{field}", "Their field has too high a degree.")
+    common = reduce(lambda a, b: dup_gcd(a, b, field), found)
+    return field, [dup_exquo(p, common, field) if p else [] for p in found]
+
+
+def rational_to_bezier(curve: Any, t: sp.Symbol = PARAMETER) -> RationalBezier:
+    r"""Return the rational Bezier curve over [0, 1] of a curve given by rational functions.
+
+    Points and weights come from the Bernstein coefficients of the numerators and of their common
+    denominator; the degree is the highest of theirs.
+
+    Parameters
+    ----------
+    curve : one rational function of t per coordinate
+    t : Symbol
+
+    Raises
+    ------
+    BadValue
+        If the denominator vanishes at 0 or 1, or a coordinate is no rational function of t.
+
+    Examples
+    --------
+    >>> u = sp.Symbol("u")
+    >>> rational_to_bezier([(1 - u**2)/(1 + u**2), 2*u/(1 + u**2)], u)
+    RationalBezier(points=((1, 0), (1, 1), (0, 1)), weights=(1, 1, 2))
+    """
+    field, found = over_one_denominator(curve, t)
+    if max(map(len, found)) < 2:
+        raise BadValue("a curve", "one point", "Its coordinates should contain the parameter.")
+    numerators = [expression(p, field, PARAMETER) for p in found]
+    return RationalBezier.from_homogeneous(polynomial_to_bezier(numerators, PARAMETER))
+
+
+def _read(curve: Any) -> list[sp.Expr]:
+    entries = as_list(curve)
+    if not entries:
+        raise BadType(
+            "a RationalBezier, or a list of coordinates",
+            shown(curve),
+            "Write [t, t**2], or bezier(2).curve(points).",
+        )
+    return [by_name(exact(entry)) for entry in entries]
+
+
+def _of_expressions(
+    coordinates: Sequence[sp.Expr], t: sp.Symbol
+) -> tuple[Domain, list[Coefficients]]:
+    if not isinstance(t, sp.Symbol):
+        raise BadType("the parameter as a Symbol", shown(t), 'Write Symbol("u").')
+    t = sp.Symbol(t.name)
+    field, elements = common_field([*coordinates, t])  # t last: the field has it in any case
+    ring = field.field.ring
+    denominator = reduce(lambda a, b: a.lcm(b), [e.denom for e in elements])
+    whole = [e.numer * denominator.exquo(e.denom) for e in elements[:-1]]
+    return _in_one_variable([*whole, denominator], ring, ring.symbols.index(t))
+
+
+def _in_one_variable(
+    elements: Sequence[Any], ring: Any, place: int
+) -> tuple[Domain, list[Coefficients]]:
+    """Read polynomials in several symbols as polynomials in one of them, over the others' field."""
+    others = [symbol for i, symbol in enumerate(ring.symbols) if i != place]
+    field = ring.domain.frac_field(*others) if others else ring.domain
+
+    def coefficients(element: Any) -> Coefficients:
+        parts: dict[int, dict[tuple[int, ...], Any]] = {}
+        for powers, c in element.terms():
+            rest = powers[:place] + powers[place + 1 :]
+            parts.setdefault(powers[place], {})[rest] = c
+        return [coefficient(parts.get(k, {})) for k in range(max(parts, default=-1), -1, -1)]
+
+    def coefficient(part: dict[tuple[int, ...], Any]) -> Any:
+        if not others:
+            return part.get((), field.zero)
+        return field(field.field.ring.from_dict(part))
+
+    return field, [coefficients(element) for element in elements]
