@@ -6,9 +6,15 @@ Every name a user needs is listed here; points are rows, results are exact.
 from .answers.check import check
 from .bases.basis import Basis, Geometry
 from .bases.bezier import bernstein, bezier
+from .bases.catmull_rom import catmull_rom
+from .bases.chord_knots import chord_knots
 from .bases.constraints import Condition, derivative, value
 from .bases.from_constraints import basis_from
 from .bases.hermite import hermite
+from .bases.kochanek_bartels import cardinal, kochanek_bartels
+from .bases.lagrange import lagrange
+from .bases.monomial import monomial
+from .bases.uniform_bspline import uniform_bspline
 from .blossoms.blossom import Blossom, blossom
 from .blossoms.candidate import check_blossom
 from .curves.conversion import polynomial_to_bezier
@@ -48,18 +54,25 @@ __all__ = [
     "bezier",
     "bezier_properties",
     "blossom",
+    "cardinal",
+    "catmull_rom",
     "check",
     "check_blossom",
+    "chord_knots",
     "de_casteljau",
     "derivative",
     "elevate_degree",
     "hermite",
     "hodograph",
+    "kochanek_bartels",
+    "lagrange",
+    "monomial",
     "polar_levels",
     "polynomial_to_bezier",
     "prove",
     "reduce_degree",
     "restrict",
     "subdivide",
+    "uniform_bspline",
     "value",
 ]

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any, Literal
@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, exact_points
+from ..exact import PARAMETER, as_list, exact_points
 from ..exact_matrix import product, to_matrix
 from ..proofs.derivation import Derivation
 
@@ -100,6 +100,7 @@ class Basis:
         self,
         powers: Literal["descending", "ascending"] = "descending",
         layout: Literal["TMG", "GMT"] = "TMG",
+        geometry: Sequence[str | sp.Symbol] | None = None,
     ) -> sp.ImmutableMatrix:
         """Return the basis matrix as another book prints it.
 
@@ -109,6 +110,13 @@ class Basis:
             Whether T runs over t^n ... t 1 or 1 t ... t^n.
         layout : "TMG" or "GMT"
             c = T M G with T a row and G a column, or c = G M T with G a row and T a column.
+        geometry : all names (or symbols) of G in another order, optional
+            Such as ("P0", "T0", "T1", "P1"). By default the order of `geometry`.
+
+        Raises
+        ------
+        BadValue, BadType
+            For another word, or names that are not those of G.
 
         Examples
         --------
@@ -117,11 +125,31 @@ class Basis:
         Matrix([
         [ 1, 0],
         [-1, 1]])
+        >>> from symbolic import hermite
+        >>> hermite().matrix_as(geometry=("P0", "T0", "T1", "P1")).row(0)
+        Matrix([[2, 1, 1, -2]])
         """
         _one_of("powers", powers, ("descending", "ascending"))
         _one_of("layout", layout, ("TMG", "GMT"))
         matrix = self.matrix if powers == "descending" else self.matrix[::-1, :]
+        if geometry is not None:
+            matrix = matrix[:, self._places(geometry)]
         return matrix if layout == "TMG" else matrix.T
+
+    def _places(self, order: Any) -> list[int]:
+        """Return where the entries of G stand that are listed in another order."""
+        listed = as_list(order)
+        if listed is None:
+            raise BadType("a list of names", shown(order), "Write ('P0', 'P1', 'T0', 'T1').")
+        names = [entry.name for entry in self.geometry]
+        asked = [str(getattr(entry, "name", entry)) for entry in listed]
+        if sorted(asked) != sorted(names):
+            raise BadValue(
+                f"{', '.join(names)} in some order",
+                shown(asked),
+                f"Name every entry of the geometry vector of {self.name} once.",
+            )
+        return [names.index(name) for name in asked]
 
     def to(self, other: Basis) -> sp.ImmutableMatrix:
         """Return the conversion matrix C: geometry of `other` = C * geometry of `self`.

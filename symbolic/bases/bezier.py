@@ -6,11 +6,11 @@ from functools import lru_cache
 
 import sympy as sp
 
-from ..errors import BadValue, shown
-from ..exact import PARAMETER, whole_number
+from ..exact import PARAMETER
 from ..exact_matrix import dense
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
+from .degree import degree_from
 
 
 def bezier(n: int) -> Basis:
@@ -31,7 +31,7 @@ def bezier(n: int) -> Basis:
     >>> bezier(3).derivation.is_proved
     True
     """
-    return _bezier(_degree(n, 1))
+    return _bezier(degree_from(n, 1))
 
 
 @lru_cache(maxsize=64)
@@ -50,18 +50,8 @@ def bernstein(n: int) -> tuple[sp.Expr, ...]:
     >>> bernstein(2)
     ((1 - t)**2, 2*t*(1 - t), t**2)
     """
-    t, n = PARAMETER, _degree(n, 0)
+    t, n = PARAMETER, degree_from(n, 0)
     return tuple(sp.binomial(n, i) * t**i * (1 - t) ** (n - i) for i in range(n + 1))
-
-
-def _degree(n: int, lowest: int) -> int:
-    degree = whole_number(n)
-    if degree is None or degree < lowest:
-        first = ", ".join(str(lowest + i) for i in range(3))
-        raise BadValue(
-            f"a degree {first}, ...", shown(n), "A curve of degree n has n + 1 control points."
-        )
-    return degree
 
 
 def _derivation(basis: Basis) -> Derivation:

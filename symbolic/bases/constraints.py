@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from math import perm
 from typing import Any
 
 import sympy as sp
@@ -19,19 +20,22 @@ class Condition:
     at: sp.Expr
     order: int
 
-    def row(self, degree: int) -> list[sp.Expr]:
+    def row(self, degree: int, at: Any = None) -> list[Any]:
         """Return the condition as a row over the coefficients of t^n, ..., t, 1.
 
-        The k-th power contributes k!/(k-r)! a^(k-r) to the r-th derivative at a.
+        The k-th power contributes k!/(k-r)! a^(k-r) to the r-th derivative at a. With `at`, the
+        parameter a as an element of a field, the row consists of such elements.
 
         >>> value(2).row(2), derivative(2).row(2)
         ([4, 2, 1], [4, 1, 0])
         """
-        powers = range(degree, -1, -1)
-        return [
-            sp.ff(k, self.order) * self.at ** (k - self.order) if k >= self.order else sp.S.Zero
-            for k in powers
-        ]
+        a = self.at if at is None else at
+        power = a * 0 + 1
+        row = [a * 0] * min(self.order, degree + 1)
+        for k in range(self.order, degree + 1):
+            row.append(perm(k, self.order) * power)
+            power = power * a
+        return row[::-1]
 
     def of(self, expression: sp.Expr, parameter: sp.Symbol) -> sp.Expr:
         """Return the condition applied to an expression, unevaluated, so that it can be read."""

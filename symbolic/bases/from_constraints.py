@@ -4,19 +4,21 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
 from functools import partial
-from typing import Any
+from typing import Any, NoReturn
 
 import sympy as sp
+from sympy.polys.domains.domain import Domain
 from sympy.polys.matrices import DomainMatrix
+from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
-from ..errors import BadType, BadValue, UnsolvableConstraints, shown
-from ..exact import PARAMETER, as_list, by_name, exact
-from ..exact_matrix import dense, product, solution, to_matrix
+from ..errors import BadValue, UnsolvableConstraints
+from ..exact import PARAMETER
+from ..exact_matrix import product, solution, to_matrix
+from ..fields import HIGHEST_ALGEBRAIC_DEGREE, common_field, is_radical
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
 from .constraints import Condition
-
-_LETTERS = {0: "P", 1: "T", 2: "A", 3: "J"}  # position, tangent, acceleration, jerk
+from .demands import demand_rows, entries_of, read_constraints
 
 
 def basis_from(
@@ -61,21 +63,25 @@ def basis_from(
     ...            geometry=(P0, P1, P2)).functions
     (t**2 - 2*t + 1, -2*t**2 + 2*t, t**2)
     """
-    conditions, combinations = _read(constraints)
-    entries = _entries(combinations, geometry)
+    conditions, combinations = read_constraints(constraints)
+    entries = entries_of(conditions, combinations, geometry)
     degree = len(conditions) - 1
-    system = dense([condition.row(degree) for condition in conditions])
-    demands = dense([_linear_in(entries, right) for right in combinations])
-    _refuse_unsolvable(system, conditions, combinations)
-    inverse = system.inv().to_dense()
-    matrix = product(inverse, demands)
-    constant_curve = solution(demands, system[:, degree:])
-    kinds = [True] * len(entries) if constant_curve is None else constant_curve.to_list_flat()
+    system = _system(conditions, degree)
+    demands = demand_rows(entries, combinations)
+    _refuse_high_roots(demands.domain)
+    try:
+        inverse = system.inv()
+    except DMNonInvertibleMatrixError:
+        _refuse_unsolvable(system, conditions, combinations)
+    own_entries = list(entries) == combinations  # one entry for every condition: L is the identity
+    matrix = inverse if own_entries else product(inverse, demands)
+    constant_one = system[:, degree:]  # what the conditions make of the curve c = 1
+    kinds = constant_one if own_entries else solution(demands, constant_one)
     return Basis(
         name,
         tuple(
             Geometry(symbol, "point" if kind else "vector")
-            for symbol, kind in zip(entries, kinds, strict=True)
+            for symbol, kind in zip(entries, _moves(kinds, entries), strict=True)
         ),
         matrix,
         partial(
@@ -89,96 +95,36 @@ def basis_from(
     )
 
 
-def _read(constraints: Iterable[Any]) -> tuple[list[Condition], list[sp.Expr]]:
-    conditions: list[Condition] = []
-    combinations: list[sp.Expr | None] = []
-    listed = as_list(constraints)
-    if listed is None:
-        raise BadType("a list of constraints", shown(constraints), "Write [value(0), value(1)].")
-    for entry in listed:
-        bare = isinstance(entry, Condition)
-        pair = (entry, None) if bare else entry
-        if not (isinstance(pair, tuple) and len(pair) == 2 and isinstance(pair[0], Condition)):
-            raise BadType(
-                "value(at), derivative(at, order) or a pair (condition, combination)",
-                shown(entry),
-                "Write for example (derivative(0), 3*(P1 - P0)).",
-            )
-        conditions.append(pair[0])
-        combinations.append(None if bare else by_name(exact(pair[1])))
-    if not conditions:
-        raise BadValue("at least one constraint", "none", "A cubic needs four.")
-    taken = {str(s) for right in combinations if right is not None for s in right.free_symbols}
-    named: list[sp.Expr] = []
-    for condition, right in zip(conditions, combinations, strict=True):
-        named.append(_next_symbol(condition.order, taken) if right is None else right)
-    return conditions, named
+def _system(conditions: Sequence[Condition], degree: int) -> DomainMatrix:
+    """Return the constraint matrix C: one row for every condition, highest power first."""
+    field, parameters = common_field(condition.at for condition in conditions)
+    _refuse_high_roots(field)
+    rows = [c.row(degree, at) for c, at in zip(conditions, parameters, strict=True)]
+    shape = (len(rows), degree + 1)
+    return DomainMatrix.from_list_flat([e for row in rows for e in row], shape, field).to_dense()
 
 
-def _next_symbol(order: int, taken: set[str]) -> sp.Symbol:
-    letter = _LETTERS.get(order, f"D{order}_")
-    index = 0
-    while f"{letter}{index}" in taken:
-        index += 1
-    taken.add(f"{letter}{index}")
-    return sp.Symbol(f"{letter}{index}")
-
-
-def _entries(
-    combinations: Sequence[sp.Expr], geometry: Sequence[sp.Symbol] | None
-) -> tuple[sp.Symbol, ...]:
-    mentioned: dict[sp.Symbol, None] = {}
-    for right in combinations:
-        mentioned.update(dict.fromkeys(sorted(right.free_symbols, key=str)))
-    entries = tuple(mentioned) if geometry is None else _given(geometry)
-    unused = [str(symbol) for symbol in entries if symbol not in mentioned]
-    if unused or not entries:
+def _refuse_high_roots(field: Domain) -> None:
+    """Refuse roots that stand as free generators: a zero made of them would not be seen."""
+    roots = [str(g) for g in getattr(field, "symbols", ()) if is_radical(g)]
+    if roots:
         raise BadValue(
-            "constraints that mention every entry of the geometry",
-            f"none with {', '.join(unused) or 'any'}",
-            "Leave it out, or add a constraint such as (value(0), P0).",
+            f"roots that together generate a field of degree at most {HIGHEST_ALGEBRAIC_DEGREE}",
+            ", ".join(roots),
+            "Put symbols in their place.",
         )
-    if PARAMETER in mentioned:
-        raise BadValue(
-            "combinations of points and vectors",
-            f"the curve's own parameter {PARAMETER}",
-            "Call it by another name.",
-        )
-    return entries
 
 
-def _given(geometry: Any) -> tuple[sp.Symbol, ...]:
-    symbols = as_list(geometry) or []
-    if not all(isinstance(s, sp.Symbol) for s in symbols) or len({*symbols}) != len(symbols):
-        raise BadType("different symbols as geometry", shown(geometry), "Use symbols('P0:4').")
-    if not symbols:
-        raise BadType("symbols as geometry", shown(geometry), "Use symbols('P0:4').")
-    return tuple(by_name(symbol) for symbol in symbols)
-
-
-def _linear_in(entries: Sequence[sp.Symbol], combination: sp.Expr) -> list[sp.Expr]:
-    try:
-        polynomial = sp.Poly(combination, *entries)
-        monomials = polynomial.as_dict()
-    except sp.PolynomialError:
-        monomials = {(2,): sp.S.One}
-    if any(sum(exponents) != 1 for exponents in monomials):
-        raise BadValue(
-            f"a linear combination of {', '.join(map(str, entries))}",
-            shown(combination),
-            "Name the geometry with geometry=(...) if some symbols are parameters.",
-        )
-    unit = range(len(entries))
-    return [monomials.get(tuple(int(i == j) for i in unit), sp.S.Zero) for j in unit]
+def _moves(kinds: DomainMatrix | None, entries: Sequence[sp.Symbol]) -> list[Any]:
+    """Return what is truthy for entries that move with the curve: all, where it is not known."""
+    return [True] * len(entries) if kinds is None else kinds.to_list_flat()
 
 
 def _refuse_unsolvable(
     system: DomainMatrix, conditions: Sequence[Condition], combinations: Sequence[sp.Expr]
-) -> None:
-    relations = system.transpose().nullspace()
-    if not relations.shape[0]:
-        return
-    relation = relations.to_Matrix().row(0)
+) -> NoReturn:
+    """Name the first constraints of which one follows from the others."""
+    relation = system.transpose().nullspace().to_Matrix().row(0)
     involved = [i for i in range(len(conditions)) if relation[i] != 0]
     named = " and ".join(f"{conditions[i]} = {combinations[i]}" for i in involved)
     degree = len(conditions) - 1
@@ -208,9 +154,9 @@ def _derivation(
     curve = sp.Add(*(a * p for a, p in zip(unknowns, basis.powers, strict=True)))
     powers, column = sp.ImmutableMatrix([basis.powers]), sp.ImmutableMatrix(unknowns)
     c, c_inverse, right = map(to_matrix, (system, inverse, demands))
-    rows = [sum((e * a for e, a in zip(c.row(i), unknowns, strict=True)), sp.S.Zero)
+    rows = [sp.Add(*(e * a for e, a in zip(c.row(i), unknowns, strict=True)))
             for i in range(len(conditions))]  # fmt: skip
-    finished = basis.curve([[entry.symbol] for entry in basis.geometry])[0]
+    finished = basis.matrix * sp.ImmutableMatrix([entry.symbol for entry in basis.geometry])
     given = ", ".join(map(str, basis.geometry))
     steps = [
         Step(_times(powers, column), sp.ImmutableMatrix([[curve]]),
@@ -225,8 +171,8 @@ def _derivation(
              f"the inverse times the right sides, in terms of ({given}), is the basis matrix"),
         Step(_times(powers, basis.matrix), sp.ImmutableMatrix([basis.functions]),
              f"one blending function for each of {given}"),
-        *(Step(condition.of(finished, PARAMETER), given_side, f"{condition} of the finished curve")
-          for condition, given_side in zip(conditions, combinations, strict=True)),
+        Step(_times(c, finished), sp.ImmutableMatrix(combinations),
+             f"the finished curve has {', '.join(map(str, conditions))} as demanded, row by row"),
     ]  # fmt: skip
     return Derivation(f"{basis.name}: from {len(conditions)} constraints", tuple(steps))
 
