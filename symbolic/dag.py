@@ -53,14 +53,26 @@ def substitute(
     >>> substitute([x + 1, (x + 1)*x], {x: y})
     [y + 1, y*(y + 1)]
     """
+    return transformed(
+        expressions, lambda node: replacements.get(node, node) if node.is_Symbol else node
+    )
+
+
+def transformed(
+    expressions: Iterable[sp.Expr], change: Callable[[sp.Basic], sp.Basic]
+) -> list[sp.Expr]:
+    """Rebuild several expressions from the leaves up, putting `change(node)` for every node.
+
+    What they share stays shared, and what does not change stays the very same object.
+
+    >>> x = sp.Symbol("x")
+    >>> transformed([x**2 + 1], lambda node: node + 1 if node.is_Integer else node)
+    [x**3 + 2]
+    """
     roots = list(expressions)
     new: dict[int, sp.Basic] = {}
     for node in postorder(roots):
         arguments = [new[id(argument)] for argument in node.args]
-        if node in replacements if node.is_Symbol else False:
-            new[id(node)] = replacements[node]
-        elif all(a is b for a, b in zip(arguments, node.args, strict=True)):
-            new[id(node)] = node
-        else:
-            new[id(node)] = node.func(*arguments)
+        same = all(a is b for a, b in zip(arguments, node.args, strict=True))
+        new[id(node)] = change(node if same else node.func(*arguments))
     return [new[id(root)] for root in roots]

@@ -10,7 +10,7 @@ ROOT = Path(__file__).parent.parent
 
 # What a room may import besides itself and the standard library.
 MAY_IMPORT = {
-    "symbolic": {"sympy"},
+    "symbolic": {"sympy", "mpmath"},  # mpmath comes with SymPy
     "numeric": {"symbolic", "sympy", "numpy"},
     "widgets": {"numeric", "symbolic", "sympy", "numpy", "anywidget", "ipywidgets", "traitlets"},
     "casteljau.py": {"working_copies"},
