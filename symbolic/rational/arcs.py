@@ -11,6 +11,7 @@ from ..exact import Point, by_name, exact, exact_points
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
+from .homogeneous import decidable_field
 from .rational_bezier import RationalBezier
 
 
@@ -53,7 +54,7 @@ def arc(cosine: Any, center: Any = (0, 0), radius: Any = 1) -> RationalBezier:
             shown(cosine),
             "Angles like 30, 45, 60 and 90 degrees, and all rational cosines, are exact.",
         )
-    x, y = _plane_point(center)
+    x, y = plane_point(center)
     return arc_between((x + r, y), (x + r * c, y + r * sine), (x, y))
 
 
@@ -86,8 +87,8 @@ def arc_between(start: Any, end: Any, center: Any = (0, 0)) -> RationalBezier:
     >>> arc_between([5, 0], [3, 4]).weights
     (1, 2*sqrt(5)/5, 1)
     """
-    (p, q), (x, y) = (_plane_point(start), _plane_point(end)), _plane_point(center)
-    field, (px, py, qx, qy, mx, my) = common_field([*p, *q, x, y])
+    (p, q), (x, y) = (plane_point(start), plane_point(end)), plane_point(center)
+    field, (px, py, qx, qy, mx, my) = decidable_field([*p, *q, x, y])
     ax, ay, bx, by = px - mx, py - my, qx - mx, qy - my
     squared = ax * ax + ay * ay
     if squared != bx * bx + by * by:
@@ -123,7 +124,7 @@ def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> D
     """
     if len(curve.points[0]) != 2:
         raise BadValue("a curve in the plane", f"{len(curve.points[0])} coordinates", "Project it.")
-    mx, my = _plane_point(center)
+    mx, my = plane_point(center)
     r = by_name(exact(radius))
     (x, y), w = curve.fractions
     left = sp.Add((x - mx * w) ** 2, (y - my * w) ** 2, evaluate=False)
@@ -138,7 +139,8 @@ def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> D
     )
 
 
-def _plane_point(value: Any) -> Point:
+def plane_point(value: Any) -> Point:
+    """Read one point of the plane."""
     (row,) = exact_points([value])
     if len(row) != 2:
         raise BadValue("a point in the plane", shown(row), "Give two coordinates.")

@@ -14,8 +14,8 @@ from sympy.polys.euclidtools import dup_gcd
 from ..curves.conversion import polynomial_to_bezier
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list, by_name, exact
-from ..fields import common_field
 from ..polynomials import Coefficients, expression, polynomials
+from .homogeneous import decidable_field
 from .rational_bezier import RationalBezier
 
 
@@ -42,11 +42,10 @@ def over_one_denominator(
     """
     if isinstance(curve, RationalBezier):
         numerators, denominator = curve.fractions
+        decidable_field([*sum(curve.points, ()), *curve.weights])
         field, found = polynomials((*numerators, denominator), PARAMETER)
     else:
         field, found = _of_expressions(_read(curve), parameter)
-    if field.is_FractionField and not all(s.is_Symbol for s in field.symbols):
-        raise BadValue("fewer different roots", f"{field}", "Their field has too high a degree.")
     common = reduce(lambda a, b: dup_gcd(a, b, field), found)
     return field, [dup_exquo(p, common, field) if p else [] for p in found]
 
@@ -97,7 +96,7 @@ def _of_expressions(
     if not isinstance(t, sp.Symbol):
         raise BadType("the parameter as a Symbol", shown(t), 'Write Symbol("u").')
     t = sp.Symbol(t.name)
-    field, elements = common_field([*coordinates, t])  # t last: the field has it in any case
+    field, elements = decidable_field([*coordinates, t])  # t last: the field has it in any case
     ring = field.field.ring
     denominator = reduce(lambda a, b: a.lcm(b), [e.denom for e in elements])
     whole = [e.numer * denominator.exquo(e.denom) for e in elements[:-1]]

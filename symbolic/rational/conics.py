@@ -17,7 +17,7 @@ from ..fields import common_field
 from ..polynomials import polynomials
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
-from .homogeneous import quotient
+from .homogeneous import decidable_field, quotient
 from .rational_bezier import RationalBezier
 
 _KINDS: dict[int | None, Literal["ellipse", "parabola", "hyperbola"]] = {
@@ -100,7 +100,7 @@ def conic_type(points: Any, weights: Any) -> Conic:
         raise BadValue(
             "three control points", f"{curve.degree + 1}", "A conic has a curve of degree 2."
         )
-    field, (w0, w1, w2) = common_field(curve.weights)
+    field, (w0, w1, w2, *_) = decidable_field([*curve.weights, *sum(curve.points, ())])
     discriminant, shape = map(field.to_sympy, (w1 * w1 - w0 * w2, w1 * w1 / (w0 * w2)))
     rank = dense(curve.homogeneous).rank()
     if rank < 3:

@@ -8,10 +8,12 @@ CAGD*, 1987).
 from __future__ import annotations
 
 import warnings
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Iterable, Sequence
+from itertools import accumulate
+from typing import Any, NamedTuple
 
 import sympy as sp
+from sympy.polys.domains.domain import Domain
 
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, Point, as_list, by_name, exact, exact_points
@@ -86,19 +88,36 @@ def projected(rows: Sequence[Point]) -> tuple[tuple[Point, ...], Point]:
     >>> projected([(sp.S(3), sp.S(6), sp.S(3)), (sp.S(1), sp.S(0), sp.S(0))])
     (((1, 2), (1, 0)), (3, 0))
     """
+    weights = tuple(sp.S.Zero if sign(row[-1]) == 0 else row[-1] for row in rows)
     flat = [entry for row in rows for entry in row]
     if any(entry.free_symbols for entry in flat):
-        weights = tuple(sp.S.Zero if sign(row[-1]) == 0 else row[-1] for row in rows)
         pairs = zip(rows, weights, strict=True)
         return tuple(tuple(x / w if w != 0 else x for x in row[:-1]) for row, w in pairs), weights
     field, elements = common_field(flat)
-    size = len(rows[0])
-    split = [elements[i : i + size] for i in range(0, len(flat), size)]
-    values = [[x / row[-1] if row[-1] else x for x in row[:-1]] for row in split]
-    return (
-        tuple(tuple(map(field.to_sympy, row)) for row in values),
-        tuple(field.to_sympy(row[-1]) for row in split),
+    rest = iter(elements)
+    values = [[next(rest) for _ in row] for row in rows]
+    points = [
+        tuple(field.to_sympy(x / value[-1] if w != 0 else x) for x in value[:-1])
+        for value, w in zip(values, weights, strict=True)
+    ]
+    return tuple(points), tuple(
+        field.to_sympy(value[-1]) if w != 0 else w for value, w in zip(values, weights, strict=True)
     )
+
+
+class RationalLevels(NamedTuple):
+    """A triangle of intermediate points: points[r][i] has the weight weights[r][i]."""
+
+    points: tuple[tuple[Point, ...], ...]
+    weights: tuple[Point, ...]
+
+
+def projected_levels(levels: Sequence[Sequence[Point]]) -> RationalLevels:
+    """Return the points and weights of a triangle of homogeneous rows, level by level."""
+    points, weights = projected([row for level in levels for row in level])
+    ends = list(accumulate(map(len, levels)))
+    parts = [slice(end - len(level), end) for end, level in zip(ends, levels, strict=True)]
+    return RationalLevels(tuple(points[i] for i in parts), tuple(weights[i] for i in parts))
 
 
 def quotient(a: sp.Expr, b: sp.Expr) -> sp.Expr:
@@ -109,6 +128,20 @@ def quotient(a: sp.Expr, b: sp.Expr) -> sp.Expr:
     """
     field, (left, right) = common_field([a, b])
     return field.to_sympy(left / right)
+
+
+def decidable_field(expressions: Iterable[sp.Expr]) -> tuple[Domain, list[Any]]:
+    """Return a common field in which zero is always seen: roots are numbers there, not symbols.
+
+    Raises
+    ------
+    BadValue
+        For roots whose field has too high a degree, and as in `common_field`.
+    """
+    field, elements = common_field(expressions)
+    if field.is_FractionField and not all(s.is_Symbol for s in field.symbols):
+        raise BadValue("fewer different roots", f"{field}", "Their field has too high a degree.")
+    return field, elements
 
 
 def _require_curve(signs: Sequence[int | None]) -> None:

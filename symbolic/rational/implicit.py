@@ -17,11 +17,11 @@ from sympy.polys.rings import PolyRing
 
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, exact_points
-from ..fields import common_field
 from ..polynomials import Coefficients, expression
 from ..proofs.derivation import Derivation
 from .bezout import bezout_matrix, determinant
 from .common_denominator import over_one_denominator
+from .homogeneous import decidable_field
 from .implicit_derivation import derive
 
 _X, _Y = sp.symbols("x y")
@@ -87,7 +87,7 @@ class ImplicitCurve:
         if len(row) != 2:
             raise BadValue("a point in the plane", shown(row), "Give [x, y].")
         flat = [self.domain.to_sympy(c) for p in self.forms for c in p]
-        domain, elements = common_field([*flat, *row])
+        domain, elements = decidable_field([*flat, *row])
         if domain.is_FractionField:
             raise BadValue("a curve and a point without symbols", shown(row), "Put numbers in.")
         *rest, x, y = elements

@@ -3,25 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from itertools import accumulate
-from typing import Any, NamedTuple
+from typing import Any
 
 import sympy as sp
 
 from ..bases.bezier import bezier
-from ..curves.de_casteljau import Levels, de_casteljau, subdivide
+from ..curves.de_casteljau import de_casteljau, subdivide
 from ..curves.degree import elevate_degree
 from ..errors import BadValue, shown
 from ..exact import Point, by_name, exact, exact_points
 from ..signs import sign
-from .homogeneous import lifted, projected, quotient, read_weighted, warn_of_hull
-
-
-class RationalLevels(NamedTuple):
-    """The triangle of the rational de Casteljau algorithm: points[r][i] has weights[r][i]."""
-
-    points: Levels
-    weights: tuple[Point, ...]
+from .homogeneous import (
+    RationalLevels,
+    lifted,
+    projected,
+    projected_levels,
+    quotient,
+    read_weighted,
+    warn_of_hull,
+)
 
 
 @dataclass(frozen=True)
@@ -142,11 +142,7 @@ class RationalBezier:
         >>> levels.points[2]
         ((3/5, 4/5),)
         """
-        levels = de_casteljau(self.homogeneous, _read(t))
-        points, weights = projected([row for level in levels for row in level])
-        ends = list(accumulate(map(len, levels)))
-        parts = [slice(end - len(level), end) for end, level in zip(ends, levels, strict=True)]
-        return RationalLevels(tuple(points[i] for i in parts), tuple(weights[i] for i in parts))
+        return projected_levels(de_casteljau(self.homogeneous, _read(t)))
 
     def subdivide(self, t: Any) -> tuple[RationalBezier, RationalBezier]:
         """Split the curve at t: the left part is over [0, t], the right one over [t, 1].

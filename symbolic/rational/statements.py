@@ -1,0 +1,229 @@
+"""What weights do and what only they can do, as derivations for any given degree."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import sympy as sp
+
+from ..bases.bezier import bernstein
+from ..errors import BadValue, shown
+from ..exact import PARAMETER, whole_number
+from ..proofs.derivation import Derivation, Step
+
+t = PARAMETER
+
+
+def equal_weights(n: int = 2) -> Derivation:
+    """Return the derivation that equal weights give the polynomial Bezier curve.
+
+    >>> equal_weights(3).is_proved
+    True
+    """
+    functions, points, w = bernstein(_degree(n)), _points(n), sp.Symbol("w")
+    denominator = sp.Add(*(w * b for b in functions), evaluate=False)
+    numerator = sp.Add(*(w * p * b for p, b in zip(points, functions, strict=True)))
+    return Derivation(
+        "Equal weights",
+        (
+            Step(denominator, w, "the Bernstein polynomials sum to one"),
+            Step(numerator / denominator, _sum(points, functions), "the weight w cancels"),
+        ),
+    )
+
+
+def rational_de_casteljau(n: int = 2) -> Derivation:
+    r"""Return the rational de Casteljau algorithm as steps: weights and points, level by level.
+
+    w_0^r = (1 - t) w_0^{r-1} + t w_1^{r-1}, and b_0^r is the mean of b_0^{r-1} and b_1^{r-1} with
+    the weights (1 - t) w_0^{r-1} and t w_1^{r-1} (Farin 1983).
+
+    >>> rational_de_casteljau().is_proved
+    True
+    """
+    points, weights = _points(n), _weights(n)
+    lifted = [w * p for w, p in zip(weights, points, strict=True)]
+    steps = []
+    for r in range(1, n + 1):
+        w0, w1, w = (_sum(weights[i:], bernstein(k)) for i, k in ((0, r - 1), (1, r - 1), (0, r)))
+        h0, h1, h = (_sum(lifted[i:], bernstein(k)) for i, k in ((0, r - 1), (1, r - 1), (0, r)))
+        mean = (1 - t) * w0 / w * (h0 / w0) + t * w1 / w * (h1 / w1)
+        steps += [
+            Step(sp.Add(sp.Mul(1 - t, w0, evaluate=False), sp.Mul(t, w1, evaluate=False)), w,
+                 f"level {r}: the weight, by de Casteljau's algorithm for numbers"),
+            Step(mean, h / w, f"level {r}: the mean of two points of level {r - 1}; its "
+                 "coefficients (1 - t) w_0/w and t w_1/w sum to one"),
+        ]  # fmt: skip
+    return Derivation("The rational de Casteljau algorithm", tuple(steps))
+
+
+def weight_attraction(n: int = 2, i: int = 1) -> Derivation:
+    r"""Return the derivation that a larger weight moves the curve straight towards its point.
+
+    dc/dw_i = B_i/W (p_i - c), with W the sum of w_j B_j; and for a change of any size h,
+    c(w_i + h) - c = h B_i/(W + h B_i) (p_i - c).
+
+    >>> weight_attraction(2, 1).is_proved
+    True
+    """
+    functions, points, weights = bernstein(_degree(n)), _points(n), _weights(n)
+    place = whole_number(i)
+    if place is None or not 0 <= place <= n:
+        raise BadValue(f"the index of a control point, 0 to {n}", shown(i), "Choose one of these.")
+    w, b, p, h = weights[place], functions[place], points[place], sp.Symbol("h")
+    denominator = _sum(weights, functions)
+    numerator = _sum([v * q for v, q in zip(weights, points, strict=True)], functions)
+    rest, others = sp.symbols("N W")  # what has no w_i in it; the proof does not depend on it
+    below = others + w * b
+    c, more = (rest + w * b * p) / below, (rest + (w + h) * b * p) / (below + h * b)
+    name, point = f"w{place}", f"P{place}"
+    return Derivation(
+        f"The weight {name} attracts the curve",
+        (
+            Step(sp.Derivative(numerator, w), b * p, f"only one term of the numerator has {name}"),
+            Step(sp.Derivative(denominator, w), b, "and one of the denominator"),
+            Step(sp.Derivative(c, w), b / below * (p - c),
+                 f"the quotient rule, N and W being the terms without {name}: the velocity points "
+                 f"from the curve to {point}"),
+            Step(more - c, h * b / (below + h * b) * (p - c),
+                 f"any change h of {name} moves the point along its line to {point}"),
+        ),
+    )  # fmt: skip
+
+
+def reparametrization(n: int = 2) -> Derivation:
+    r"""Return the derivation that the weights c^i w_i give the same curve.
+
+    With s = c t/(1 - t + c t), B_i^n(s) = c^i B_i^n(t)/(1 - t + c t)^n: a common factor.
+
+    >>> reparametrization(2).is_proved
+    True
+    """
+    functions, c = bernstein(_degree(n)), sp.Symbol("c")
+    moved = c * t / (1 - t + c * t)
+    factor = (1 - t + c * t) ** n
+    steps = [
+        Step(sp.Subs(b, t, moved), c**i * b / factor, f"B_{i} at c t/(1 - t + c t)")
+        for i, b in enumerate(functions)
+    ]
+    denominator = _sum(_weights(n), functions)
+    scaled = _sum([c**i * w for i, w in enumerate(_weights(n))], functions)
+    steps.append(
+        Step(sp.Subs(denominator, t, moved), scaled / factor,
+             f"the denominator has the weights c^i w_i, over (1 - t + c t)^{n}; so has the "
+             "numerator, and the factor cancels")
+    )  # fmt: skip
+    return Derivation("Weights in geometric progression do not change the curve", tuple(steps))
+
+
+def projective_invariance(n: int = 2) -> Derivation:
+    """Return the derivation that a projective map of the control points maps a plane curve.
+
+    The 3x3 matrix acts on homogeneous rows (w x, w y, w), so weights change as well.
+
+    >>> projective_invariance(2).is_proved
+    True
+    """
+    functions = sp.ImmutableMatrix([bernstein(_degree(n))])
+    names = [f"{letter}{i}" for i in range(n + 1) for letter in ("X", "Y", "w")]
+    rows = sp.ImmutableMatrix(n + 1, 3, list(map(sp.Symbol, names)))
+    m = sp.ImmutableMatrix(3, 3, [sp.Symbol(f"m{i}{j}") for i in range(3) for j in range(3)])
+    point = sp.symbols("X Y W")
+    image = [sp.Add(*(m[i, j] * point[j] for j in range(3))) for i in range(3)]
+    x, y = (point[0] / point[2], point[1] / point[2])
+    below = m[2, 0] * x + m[2, 1] * y + m[2, 2]
+    mapped = [(m[i, 0] * x + m[i, 1] * y + m[i, 2]) / below for i in range(2)]
+    return Derivation(
+        "Projective invariance",
+        (
+            Step(sp.MatMul(functions, rows * m.T, evaluate=False),
+                 sp.MatMul(functions * rows, m.T, evaluate=False),
+                 "in homogeneous coordinates the map is linear: mapping the control points maps "
+                 "(X, Y, W), the sums with Bernstein polynomials"),
+            Step([image[0] / image[2], image[1] / image[2]], mapped,
+                 "the image of (X, Y, W), projected, is the projective map of (X/W, Y/W)"),
+        ),
+    )  # fmt: skip
+
+
+def no_polynomial_circle(n: int = 3) -> Derivation:
+    """Return the derivation that no polynomial curve of degree n runs on a circle.
+
+    x(t)^2 + y(t)^2 = 1 with real coefficients makes the leading ones zero, one after the other.
+
+    >>> no_polynomial_circle(2).is_proved
+    True
+    """
+    a, b = sp.symbols(f"a0:{_degree(n) + 1}"), sp.symbols(f"b0:{n + 1}")
+    steps = [
+        Step(_leading(_polynomial(a, k) ** 2 + _polynomial(b, k) ** 2, 2 * k),
+             a[k] ** 2 + b[k] ** 2,
+             f"the coefficient of t^{2 * k} in x^2 + y^2. In 1 it is 0; the sum of two real "
+             f"squares is 0 only for a{k} = b{k} = 0")
+        for k in range(n, 0, -1)
+    ]  # fmt: skip
+    steps.append(
+        Step(sp.Subs(_polynomial(a, 1), a[1], 0), a[0],
+             "x is constant, and so is y: the curve is one point, and no arc")
+    )  # fmt: skip
+    return Derivation(f"No polynomial curve of degree {n} is a circular arc", tuple(steps))
+
+
+def polynomial_conics(n: int = 2) -> Derivation:
+    """Return the derivation which conics are polynomial curves: the parabola, and no other.
+
+    Books that count the parabola among those that need weights are wrong: y = x^2 is the curve
+    with the control points (0, 0), (1/2, 0), (1, 1).
+
+    >>> polynomial_conics().is_proved
+    True
+    """
+    a, b = sp.symbols(f"a0:{_degree(n) + 1}"), sp.symbols(f"b0:{n + 1}")
+    x, y, r, s = sp.symbols("x y r s")
+    functions = bernstein(2)
+    half = sp.Rational(1, 2)
+    return Derivation(
+        "Which conics are polynomial curves",
+        (
+            Step(functions[2], sp.Pow(half * functions[1] + functions[2], 2),
+                 "the parabola is one: y = x^2 for the control points (0, 0), (1/2, 0), (1, 1)"),
+            Step(_leading((_polynomial(a, n) / r) ** 2 + (_polynomial(b, n) / s) ** 2, 2 * n),
+                 (a[n] / r) ** 2 + (b[n] / s) ** 2,
+                 f"the ellipse (x/r)^2 + (y/s)^2 = 1 of real half-axes is none: the coefficient of "
+                 f"t^{2 * n} would have to be 0, so a{n} = b{n} = 0, down to constants"),
+            Step((x / r) ** 2 - (y / s) ** 2, (x / r - y / s) * (x / r + y / s),
+                 "the hyperbola is none: two polynomials with the product 1"),
+            *(Step(_leading(_polynomial(a, n) * _polynomial(b, m), n + m), a[n] * b[m],
+                   f"factors of degrees {n} and {m} have the coefficient a{n} b{m} of t^{n + m}, "
+                   "which is not 0; in 1 it is. So the degrees are 0, and the curve a point")
+              for m in range(n + 1)),
+        ),
+    )  # fmt: skip
+
+
+def _leading(polynomial: sp.Expr, k: int) -> sp.Expr:
+    """Return the coefficient of t^k as what it is: the derivative at 0, divided by k!."""
+    return sp.Subs(sp.Derivative(polynomial, (t, k)), t, 0) / sp.factorial(k)
+
+
+def _polynomial(coefficients: tuple[sp.Symbol, ...], n: int) -> sp.Expr:
+    return sp.Add(*(c * t**k for k, c in enumerate(coefficients[: n + 1])))
+
+
+def _sum(values: Any, functions: tuple[sp.Expr, ...]) -> sp.Expr:
+    return sp.Add(*(v * b for v, b in zip(values, functions, strict=False)))
+
+
+def _points(n: int) -> tuple[sp.Symbol, ...]:
+    return sp.symbols(f"P0:{n + 1}")
+
+
+def _weights(n: int) -> tuple[sp.Symbol, ...]:
+    return sp.symbols(f"w0:{n + 1}")
+
+
+def _degree(n: int) -> int:
+    degree = whole_number(n)
+    if degree is None or degree < 1:
+        raise BadValue("a degree 1, 2, 3, ...", shown(n), "Two control points are the fewest.")
+    return degree
