@@ -1,0 +1,1 @@
+"""Knot vectors and B-splines: functions, curves, insertion, conversion, derivatives, ends."""
