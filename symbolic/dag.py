@@ -54,19 +54,20 @@ def substitute(
     [y + 1, y*(y + 1)]
     """
     return transformed(
-        expressions, lambda node: replacements.get(node, node) if node.is_Symbol else node
+        expressions, lambda old, new: replacements.get(old, new) if old.is_Symbol else new
     )
 
 
 def transformed(
-    expressions: Iterable[sp.Expr], change: Callable[[sp.Basic], sp.Basic]
+    expressions: Iterable[sp.Expr], change: Callable[[sp.Basic, sp.Basic], sp.Basic]
 ) -> list[sp.Expr]:
-    """Rebuild several expressions from the leaves up, putting `change(node)` for every node.
+    """Rebuild several expressions from the leaves up; `change(old, new)` becomes the new node.
 
-    What they share stays shared, and what does not change stays the very same object.
+    It is given every node as it was, and as it is with its changed arguments. What expressions
+    share stays shared, and what does not change stays the very same object.
 
     >>> x = sp.Symbol("x")
-    >>> transformed([x**2 + 1], lambda node: node + 1 if node.is_Integer else node)
+    >>> transformed([x**2 + 1], lambda old, new: new + 1 if old.is_Integer else new)
     [x**3 + 2]
     """
     roots = list(expressions)
@@ -74,5 +75,5 @@ def transformed(
     for node in postorder(roots):
         arguments = [new[id(argument)] for argument in node.args]
         same = all(a is b for a, b in zip(arguments, node.args, strict=True))
-        new[id(node)] = change(node if same else node.func(*arguments))
+        new[id(node)] = change(node, node if same else node.func(*arguments))
     return [new[id(root)] for root in roots]

@@ -71,7 +71,7 @@ def plain_roots(expressions: Iterable[sp.Expr]) -> list[sp.Expr]:
     >>> plain_roots([sp.Pow(-1, sp.Rational(1, 3)), sp.sqrt(5 + 2*sp.sqrt(6))])
     [1/2 + sqrt(3)*I/2, sqrt(2) + sqrt(3)]
     """
-    return transformed(expressions, lambda node: _plain(node) if node.is_Pow else node)
+    return transformed(expressions, lambda _, node: _plain(node) if node.is_Pow else node)
 
 
 @lru_cache(maxsize=1024)
