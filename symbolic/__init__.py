@@ -26,12 +26,23 @@ from .errors import BadType, BadValue, NotExact, OutsideDomain, UnsolvableConstr
 from .proofs.derivation import Derivation, Step
 from .proofs.proof import prove
 from .proofs.verdict import Proved, Refuted, Undecided, Verdict
+from .splines.bspline import BSpline
+from .splines.ends import (
+    closed_derivation,
+    multiple_vertex_derivation,
+    phantom_derivation,
+    phantom_ends,
+    repeat_ends,
+    wrap_points,
+)
+from .splines.knots import KnotVector, clamped_knots, uniform_knots
 
 FAMILIES = {"Bezier": bezier, "Hermite": hermite}
 """The spline families by name; the laws in the tests run over all of them."""
 
 __all__ = [
     "FAMILIES",
+    "BSpline",
     "BadType",
     "BadValue",
     "Basis",
@@ -39,6 +50,7 @@ __all__ = [
     "Condition",
     "Derivation",
     "Geometry",
+    "KnotVector",
     "NotExact",
     "OutsideDomain",
     "Proved",
@@ -59,6 +71,8 @@ __all__ = [
     "check",
     "check_blossom",
     "chord_knots",
+    "clamped_knots",
+    "closed_derivation",
     "de_casteljau",
     "derivative",
     "elevate_degree",
@@ -67,12 +81,18 @@ __all__ = [
     "kochanek_bartels",
     "lagrange",
     "monomial",
+    "multiple_vertex_derivation",
+    "phantom_derivation",
+    "phantom_ends",
     "polar_levels",
     "polynomial_to_bezier",
     "prove",
     "reduce_degree",
+    "repeat_ends",
     "restrict",
     "subdivide",
     "uniform_bspline",
+    "uniform_knots",
     "value",
+    "wrap_points",
 ]
