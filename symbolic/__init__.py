@@ -17,12 +17,21 @@ from .bases.monomial import monomial
 from .bases.uniform_bspline import uniform_bspline
 from .blossoms.blossom import Blossom, blossom
 from .blossoms.candidate import check_blossom
+from .continuity.conditions import JointConditions
+from .continuity.connection import connection_matrix
+from .continuity.continuity_at import continuity_at
+from .continuity.geometric import geometric_continuity
+from .continuity.joint import Continuity
+from .continuity.parametric import a_frame, parametric_continuity
 from .curves.conversion import polynomial_to_bezier
 from .curves.de_casteljau import de_casteljau, polar_levels, restrict, subdivide
 from .curves.degree import Reduction, elevate_degree, reduce_degree
 from .curves.hodograph import antiderivative, hodograph
 from .curves.properties import bezier_properties
 from .errors import BadType, BadValue, NotExact, OutsideDomain, UnsolvableConstraints
+from .interpolation.cubic_spline import InterpolatingSpline, interpolating_spline
+from .interpolation.energy import minimum_acceleration
+from .interpolation.oscillation import lebesgue_function, runge_phenomenon
 from .proofs.derivation import Derivation, Step
 from .proofs.proof import prove
 from .proofs.verdict import Proved, Refuted, Undecided, Verdict
@@ -48,8 +57,11 @@ __all__ = [
     "Basis",
     "Blossom",
     "Condition",
+    "Continuity",
     "Derivation",
     "Geometry",
+    "InterpolatingSpline",
+    "JointConditions",
     "KnotVector",
     "NotExact",
     "OutsideDomain",
@@ -60,6 +72,7 @@ __all__ = [
     "Undecided",
     "UnsolvableConstraints",
     "Verdict",
+    "a_frame",
     "antiderivative",
     "basis_from",
     "bernstein",
@@ -73,15 +86,22 @@ __all__ = [
     "chord_knots",
     "clamped_knots",
     "closed_derivation",
+    "connection_matrix",
+    "continuity_at",
     "de_casteljau",
     "derivative",
     "elevate_degree",
+    "geometric_continuity",
     "hermite",
     "hodograph",
+    "interpolating_spline",
     "kochanek_bartels",
     "lagrange",
+    "lebesgue_function",
+    "minimum_acceleration",
     "monomial",
     "multiple_vertex_derivation",
+    "parametric_continuity",
     "phantom_derivation",
     "phantom_ends",
     "polar_levels",
@@ -90,6 +110,7 @@ __all__ = [
     "reduce_degree",
     "repeat_ends",
     "restrict",
+    "runge_phenomenon",
     "subdivide",
     "uniform_bspline",
     "uniform_knots",

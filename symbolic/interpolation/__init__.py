@@ -1,0 +1,1 @@
+"""Curves through given points: cubic splines, what they minimize, and how polynomials oscillate."""
