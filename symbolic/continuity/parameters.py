@@ -12,11 +12,12 @@ from ..exact import PARAMETER, as_list, by_name, exact, whole_number
 from ..signs import sign
 
 
-def read_degree(n: Any) -> int:
-    """Return the degree 1, 2, ... of a segment, or raise `BadValue`."""
+def read_degree(n: Any, lowest: int = 1) -> int:
+    """Return the degree of a segment, or raise `BadValue`."""
     degree = whole_number(n)
-    if degree is None or degree < 1:
-        raise BadValue("a degree 1, 2, 3, ...", shown(n), "A single point is no segment.")
+    if degree is None or degree < lowest:
+        first = ", ".join(str(lowest + i) for i in range(3))
+        raise BadValue(f"a degree {first}, ...", shown(n), "A single point is no segment.")
     return degree
 
 
