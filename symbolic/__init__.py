@@ -23,6 +23,7 @@ from .continuity.continuity_at import continuity_at
 from .continuity.geometric import geometric_continuity
 from .continuity.joint import Continuity
 from .continuity.parametric import a_frame, parametric_continuity
+from .continuity.properties import joint_properties
 from .curves.conversion import polynomial_to_bezier
 from .curves.de_casteljau import de_casteljau, polar_levels, restrict, subdivide
 from .curves.degree import Reduction, elevate_degree, reduce_degree
@@ -95,6 +96,7 @@ __all__ = [
     "hermite",
     "hodograph",
     "interpolating_spline",
+    "joint_properties",
     "kochanek_bartels",
     "lagrange",
     "lebesgue_function",
