@@ -8,7 +8,16 @@ from collections.abc import Callable
 
 import sympy as sp
 
-from symbolic import Derivation, bezier, bezier_properties, blossom, hermite
+from symbolic import (
+    Derivation,
+    bezier,
+    bezier_properties,
+    blossom,
+    hermite,
+    interpolating_spline,
+    minimum_acceleration,
+    runge_phenomenon,
+)
 
 DERIVATIONS: list[tuple[str, Callable[[], Derivation]]] = [
     ("Bezier 3", lambda: bezier(3).derivation),
@@ -25,3 +34,17 @@ DERIVATIONS += [
     ("Blossom of a cubic", lambda: blossom(t**3 - 2 * t + 5).certificate()),
     ("Blossom of a curve", lambda: blossom([t**2, 1 - t]).certificate()),
 ]
+DERIVATIONS += [
+    (f"Cubic spline with {ends} ends", lambda ends=ends: cubic_spline(ends).derivation)
+    for ends in ("natural", "clamped", "periodic", "not-a-knot")
+]
+DERIVATIONS += [
+    ("Least acceleration", lambda: minimum_acceleration(interpolating_spline([[0], [1], [0]]))),
+    ("Runge's function", lambda: runge_phenomenon(3)),
+]
+
+
+def cubic_spline(ends):
+    """Return a spline through points whose data are no accident."""
+    tangents = [[1], [-2]] if ends == "clamped" else None
+    return interpolating_spline([[0], [1], [3], [0]], [0, 1, 3, 4], ends, tangents)
