@@ -13,9 +13,13 @@ from symbolic import (
     bezier,
     bezier_properties,
     blossom,
+    continuity_at,
+    geometric_continuity,
     hermite,
     interpolating_spline,
+    joint_properties,
     minimum_acceleration,
+    parametric_continuity,
     runge_phenomenon,
 )
 
@@ -48,3 +52,21 @@ def cubic_spline(ends):
     """Return a spline through points whose data are no accident."""
     tangents = [[1], [-2]] if ends == "clamped" else None
     return interpolating_spline([[0], [1], [3], [0]], [0, 1, 3, 4], ends, tangents)
+
+
+r, b1, b2 = sp.symbols("r b1 b2")
+CUBIC = [[0, 0], [1, 3], [3, 3], [4, 2]]
+JOINTS = {
+    "a gap": [[5, 2], [6, 2]],
+    "a corner": [[4, 2], [5, 2], [6, 0]],
+    "a fold": [[4, 2], [3, 3], [3, 0]],
+    "in line": [[4, 2], [6, 0], [7, 0]],
+}
+DERIVATIONS += [
+    *((f"Joints: {name}", lambda name=name: joint_properties(2)[name])
+      for name in joint_properties(2)),
+    *((f"Joint: {name}", lambda name=name: continuity_at(CUBIC, JOINTS[name]).derivation)
+      for name in JOINTS),
+    ("C^2 joint", lambda: parametric_continuity(3, 2, r).derivation),
+    ("G^2 joint", lambda: geometric_continuity(3, 2, (b1, b2)).derivation),
+]  # fmt: skip
