@@ -14,13 +14,13 @@ from .intervals import enclosure
 def sign(number: sp.Expr) -> int | None:
     """Return -1, 0 or 1 for a real number made of rationals and roots, None where symbols decide.
 
-    Zero is recognised by the algebra of the roots; only then is the number enclosed, closer and
-    closer, until its sign is certain.
+    The number is enclosed in an interval; where that could be zero, the algebra of the roots
+    decides whether it is, and if not it is enclosed closer and closer.
 
     Raises
     ------
     BadValue
-        For functions, and division by zero, as in `common_field`.
+        For functions that may be zero, and division by zero, as in `common_field`.
 
     Examples
     --------
@@ -31,18 +31,21 @@ def sign(number: sp.Expr) -> int | None:
     """
     if number.is_Rational:
         return (number.p > 0) - (number.p < 0)
+    found = _clear_sign(number, 30)
+    if found is not None:
+        return found
     field, (element,) = common_field([number])
-    if not element:
+    if not element or _is_hidden_zero(field, element):
         return 0
     if number.free_symbols:
         return None
-    if _is_hidden_zero(field, element):
-        return 0
-    for digits in (30, 300, 3000):
-        box = enclosure(number, digits=digits)
-        if box is None or 0 not in box:
-            return None if box is None else (1 if box > 0 else -1)
-    return None
+    found = _clear_sign(number, 300)
+    return found if found is not None else _clear_sign(number, 3000)
+
+
+def _clear_sign(number: sp.Expr, digits: int) -> int | None:
+    box = enclosure(number, digits=digits)
+    return None if box is None or 0 in box else (1 if box > 0 else -1)
 
 
 def _is_hidden_zero(field: Domain, element: Any) -> bool:
@@ -55,10 +58,12 @@ def _is_hidden_zero(field: Domain, element: Any) -> bool:
     reduced: dict[tuple[int, ...], Any] = {}
     for monomial, coefficient in element.numer.terms():
         exponents = []
-        for root, exponent in zip(field.symbols, monomial, strict=True):
-            whole, rest = divmod(exponent, int(root.exp.q))
-            coefficient *= field.domain.from_sympy(root.base**whole)
-            exponents.append(rest)
+        for generator, exponent in zip(field.symbols, monomial, strict=True):
+            if not generator.is_Symbol:
+                base, power = generator.as_base_exp()
+                whole, exponent = divmod(exponent, int(power.q))
+                coefficient *= field.domain.from_sympy(base**whole)
+            exponents.append(exponent)
         key = tuple(exponents)
         reduced[key] = reduced.get(key, field.domain.zero) + coefficient
     return not any(reduced.values())

@@ -1,208 +1,227 @@
-"""Expressions as elements of one polynomial ring or fraction field: equal means the same element.
+"""Expressions as elements of one polynomial ring or its fraction field: equal means the same.
 
-Symbols are matched by name. Square roots and other radicals of rationals live in the algebraic
-field they generate. Anything else (sin(t), pi, t**(1/2)) becomes one more generator: an equality
-that holds for independent generators holds for their values, but not the other way round.
+Symbols are matched by name. Roots and the sines of base angles are generators with a relation
+g^n = base, by which all results are reduced. Anything else (exp(t), f(t)) becomes one more
+generator: an equality that holds for independent generators holds for their values, but not the
+other way round.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
-from math import prod
-from operator import add, mul
+from collections.abc import Iterable, Mapping, Sequence
+from functools import lru_cache
+from operator import add
 from typing import Any
 
 import sympy as sp
-from sympy.polys.fields import FracField
 from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyRing
 
 from ..dag import postorder
-
-# Limits, so that a short text cannot keep a reader waiting for longer than a few seconds.
-HIGHEST_POWER = 512
-MOST_PRODUCTS = 300_000  # of terms in one multiplication of polynomials
-MOST_PRODUCTS_OF_FRACTIONS = 3_000  # every operation there looks for a common divisor
-MOST_BITS = 100_000  # of a coefficient
-HIGHEST_ALGEBRAIC_DEGREE = 8
-
-
-class NoNormalForm(Exception):
-    """Why an expression has no normal form here; becomes the reason of an Undecided."""
+from ..fields import operands
+from ..radicals import is_radical, plain_roots, prime_roots
+from .angles import in_base_angles
+from .elements import composed, divided, folded, plain, power, reduced
+from .generators import Generators, NoNormalForm, is_root
+from .side import is_operator
 
 
-@dataclass(frozen=True)
 class NormalForms:
-    """Several expressions as elements of one field (or ring, where nothing is divided).
+    """Several expressions in one common structure; those that fail say so when asked for.
 
     Attributes
     ----------
-    elements : one per expression
-    generators : the symbol or opaque node behind every generator of the field
-    opaque : whether some generator stands for more than a free symbol
-    divisors : elements by which something was divided
+    generators : Generators
+        What the generators of the ring stand for.
     """
 
-    elements: tuple[Any, ...]
-    generators: tuple[sp.Expr, ...]
-    opaque: bool
-    divisors: tuple[Any, ...]
-    domain: Any
+    def __init__(self, expressions: Iterable[sp.Expr]) -> None:
+        self._roots = in_base_angles(plain_roots(expressions))
+        self._nodes = list(postorder(self._roots, _operands))
+        self._divides = any(map(_divides, self._nodes))
+        more: list[sp.Expr] = []
+        while not self._computed(more):
+            pass
 
-    @property
-    def kind(self) -> str:
-        """Name the structure in which the expressions were compared."""
-        if not self.generators:
-            return "numbers"
-        names = sorted(map(str, self.generators), key=lambda name: (len(name), name))
-        if len(names) > 6:
-            names = [*names[:3], "...", names[-1]]
-        form = "rational functions" if self.divisors else "polynomials"
-        field = "rational" if self.domain == sp.QQ else "algebraic"
-        return f"{form} in {', '.join(names)} with {field} coefficients"
+    def _computed(self, more_radicals: list[sp.Expr]) -> bool:
+        """Compute all elements; False if a radical turned up that is no generator yet."""
+        self.generators = Generators(self._nodes, more_radicals)
+        self._ring = _ring(max(1, len(self.generators.listed)))
+        self._relations: dict[int, tuple[int, Any]] = {}
+        self._positions_of_bases: dict[Any, int] = {}
+        self._bind_known_roots()
+        self._values: dict[int, Any] = {}
+        for node in self._nodes:
+            try:
+                self._values[id(node)] = plain(self._element(node))
+            except NoNormalForm as reason:
+                self._values[id(node)] = reason
+            except _NeedsRadical as needed:
+                more_radicals.append(needed.radical)
+                return False
+        return True
+
+    def element(self, place: int) -> Any:
+        """Return the normal form of the expression at this place."""
+        return self._known(self._roots[place])
+
+    def difference(self, left: Any, right: Any) -> Any:
+        """Return left - right, reduced: zero if they are equal."""
+        return reduced(left - right, self._relations)
+
+    def divisors(self, *places: int) -> list[Any]:
+        """Return everything by which is divided in the expressions at these places."""
+        if not self._divides:
+            return []
+        nodes = postorder([self._roots[place] for place in places], _operands)
+        return [
+            self._known(node.base) for node in nodes if _divides(node)
+        ]  # fmt: skip
+
+    def leaves(self, *places: int) -> set[int]:
+        """Return the positions of all generators from which these expressions are built."""
+        found = set()
+        for node in postorder([self._roots[place] for place in places], _operands):
+            if is_root(node):
+                found.add(self.generators.of_root(node))
+            elif is_radical(node):
+                found |= {self.generators.roots_of_primes[p][1] for p in prime_roots(node)[1]}
+            elif not (node.is_Rational or _operands(node)):
+                found.add(self.generators.of(node))
+        return found
+
+    def _bind_known_roots(self) -> None:
+        one, gens = self._ring.one, self._ring.gens
+        for prime, (order, position) in self.generators.roots_of_primes.items():
+            self._relations[position] = order, one * prime
+        for expression, position in self.generators.position.items():
+            if isinstance(expression, sp.sin):
+                cosine = gens[self.generators.position[sp.cos(expression.args[0])]]
+                self._relations[position] = 2, one - cosine**2
+
+    def _known(self, node: sp.Basic) -> Any:
+        value = self._values[id(node)]
+        if isinstance(value, NoNormalForm):
+            raise value
+        return value
+
+    def _element(self, node: sp.Basic) -> Any:
+        below = [self._known(operand) for operand in _operands(node)]
+        if not below:
+            return self._leaf(node)
+        if node.is_Add:
+            return folded(add, below)
+        if node.is_Mul:
+            return folded(lambda a, b: reduced(a * b, self._relations), below)
+        if isinstance(node, sp.Derivative):
+            return self._derivative(node, below[0])
+        if isinstance(node, sp.Subs):
+            return self._substituted(node, below[0], below[1:])
+        if is_root(node):
+            return self._root(node, below[0])
+        return power(below[0], int(node.exp), self._relations)
+
+    def _leaf(self, node: sp.Basic) -> Any:
+        if node.is_Rational:
+            return self._ring.one * sp.QQ(node.p, node.q)
+        return (
+            self._radical(node) if is_radical(node) else self._ring.gens[self.generators.of(node)]
+        )
+
+    def _radical(self, radical: sp.Expr) -> Any:
+        rational, powers = prime_roots(radical)
+        element = self._ring.one * sp.QQ(rational.p, rational.q)
+        for prime, exponent in powers.items():
+            order, position = self.generators.roots_of_primes.get(prime, (1, 0))
+            if not (exponent * order).is_Integer:
+                raise _NeedsRadical(radical)
+            element *= self._ring.gens[position] ** int(exponent * order)
+        return element
+
+    def _root(self, node: sp.Expr, base: Any) -> Any:
+        """Return base**(p/q): the root of its rational content times a power of a generator."""
+        if not base:
+            if node.exp.is_negative:
+                raise NoNormalForm("a denominator is identically zero")
+            return self._ring.zero
+        content, primitive = _content(base)
+        if primitive == 1:
+            return self._number_to_the(content, node.exp)
+        own = self.generators.of_root(node)
+        position = self._positions_of_bases.setdefault(primitive, own)
+        self._relations.setdefault(position, (self.generators.order, primitive))
+        exponent = int(node.exp * self.generators.order)
+        root = power(self._ring.gens[position], exponent, self._relations)
+        return root * self._number_to_the(content, node.exp)
+
+    def _number_to_the(self, number: sp.Rational, exponent: sp.Rational) -> Any:
+        result = sp.Integer(1)
+        element = self._ring.one
+        for factor in sp.Mul.make_args(sp.Pow(number, exponent)):
+            if is_radical(factor):
+                element = reduced(element * self._radical(factor), self._relations)
+            else:
+                result *= factor
+        if not result.is_Rational:
+            raise NoNormalForm(f"{number}**({exponent}) is not understood")
+        return element * sp.QQ(result.p, result.q)
+
+    def _derivative(self, node: sp.Derivative, element: Any) -> Any:
+        for variable, order in node.variable_count:
+            position = self.generators.position.get(variable)
+            for _ in range(int(order)):
+                element = (
+                    self._ring.zero if position is None else element.diff(self._ring.gens[position])
+                )
+        return element
+
+    def _substituted(self, node: sp.Subs, element: Any, points: Sequence[Any]) -> Any:
+        at = {
+            self.generators.position[variable]: point
+            for variable, point in zip(node.variables, points, strict=True)
+            if variable in self.generators.position
+        }
+        for below in postorder([node.expr], _operands):
+            if _divides(below):
+                self._at(self._known(below.base), at, must_not_vanish=True)
+        return self._at(element, at)
+
+    def _at(self, element: Any, at: Mapping[int, Any], must_not_vanish: bool = False) -> Any:
+        value = reduced(composed(element, at), self._relations)
+        if must_not_vanish and not value:
+            raise NoNormalForm("a side is not defined where something is substituted")
+        return value
 
 
-def normal_forms(expressions: Sequence[sp.Expr]) -> NormalForms:
-    """Return the normal forms of several expressions in one common structure.
-
-    Raises
-    ------
-    NoNormalForm
-        For division by zero, powers too high to expand, and non-commutative symbols.
-    """
-    nodes = list(postorder(expressions, _operands))
-    leaves = _Leaves(nodes)
-    divides = any(node.is_Pow and _operands(node) and node.exp.is_negative for node in nodes)
-    stand_ins = [sp.Dummy(f"g{i}") for i in range(max(1, len(leaves.generators)))]
-    structure = (FracField if divides else PolyRing)(stand_ins, leaves.domain, lex)
-    values: dict[int, Any] = {}
-    divisors: list[Any] = []
-    for node in nodes:
-        values[id(node)] = _element(node, values, leaves, structure, divisors)
-    return NormalForms(
-        tuple(values[id(expression)] for expression in expressions),
-        tuple(leaves.generators),
-        leaves.opaque,
-        tuple(divisors),
-        leaves.domain,
-    )
+class _NeedsRadical(Exception):
+    def __init__(self, radical: sp.Expr) -> None:
+        self.radical = radical
 
 
 def _operands(node: sp.Basic) -> tuple[sp.Basic, ...]:
-    if node.is_Add or node.is_Mul:
-        return node.args
-    if node.is_Pow and node.exp.is_Integer:
+    if is_root(node):
         return (node.base,)
-    return ()
+    if is_operator(node):
+        return (node.expr, *node.point) if isinstance(node, sp.Subs) else (node.expr,)
+    return operands(node)
 
 
-def _is_radical(node: sp.Basic) -> bool:
-    if node is sp.I:
-        return True
-    return bool(node.is_Pow and node.base.is_Rational and node.base and node.exp.is_Rational)
+def _divides(node: sp.Basic) -> bool:
+    return bool(node.is_Pow and node.exp.is_negative and _operands(node))
 
 
-def _algebraic_field(radicals: Sequence[sp.Expr]) -> Any:
-    """Return the field of some radicals, if its degree stays small."""
-    degree = prod(2 if r is sp.I else int(r.exp.q) for r in radicals)
-    if degree > HIGHEST_ALGEBRAIC_DEGREE:
-        raise NoNormalForm(f"radicals of degree {degree} together are too many")
-    return sp.QQ.algebraic_field(*radicals)
+def _content(element: Any) -> tuple[sp.Rational, Any]:
+    """Split off the largest positive rational factor; a number is all content."""
+    element = plain(element)
+    if hasattr(element, "numer"):
+        numer, denom = (part.primitive() for part in (element.numer, element.denom))
+        return sp.QQ.to_sympy(numer[0] / denom[0]), divided(numer[1], denom[1])
+    content, primitive = element.primitive()
+    if primitive.is_ground:
+        return sp.QQ.to_sympy(element.LC), element.ring.one
+    return sp.QQ.to_sympy(content), primitive
 
 
-class _Leaves:
-    """The generators and the coefficient domain that a set of nodes needs."""
-
-    def __init__(self, nodes: Sequence[sp.Basic]) -> None:
-        self.generators: list[sp.Expr] = []
-        self.opaque = False
-        self._index: dict[Any, int] = {}
-        radicals = []
-        for node in nodes:
-            if _operands(node) or node.is_Rational:
-                continue
-            if _is_radical(node):
-                radicals.append(node)
-            else:
-                self._add(node)
-        different = list(dict.fromkeys(radicals))
-        self.domain = _algebraic_field(different) if different else sp.QQ
-
-    def _add(self, node: sp.Basic) -> None:
-        if not isinstance(node, sp.Expr) or node.is_commutative is False:
-            raise NoNormalForm(f"{node} is not a commutative expression")
-        if node in (sp.nan, sp.zoo, sp.oo, -sp.oo) or (node.is_Pow and node.base == 0):
-            raise NoNormalForm("one side is undefined or infinite")
-        self.opaque = self.opaque or not node.is_Symbol
-        if self._key(node) not in self._index:
-            self._index[self._key(node)] = len(self.generators)
-            self.generators.append(sp.Symbol(node.name) if type(node) is sp.Symbol else node)
-
-    def position(self, node: sp.Basic) -> int | None:
-        return self._index.get(self._key(node))
-
-    @staticmethod
-    def _key(node: sp.Basic) -> Any:
-        return node.name if type(node) is sp.Symbol else node
-
-
-def _element(
-    node: sp.Basic, values: dict[int, Any], leaves: _Leaves, structure: Any, divisors: list[Any]
-) -> Any:
-    operands = [values[id(operand)] for operand in _operands(node)]
-    if node.is_Add and operands:
-        return _folded(add, operands)
-    if node.is_Mul and operands:
-        return _folded(mul, operands)
-    if operands:
-        return _power(operands[0], int(node.exp), divisors)
-    position = leaves.position(node)
-    if position is not None:
-        return structure.gens[position]
-    return structure.one * leaves.domain.from_sympy(node)
-
-
-def _size(element: Any) -> int:
-    return len(element.numer) + len(element.denom) if hasattr(element, "numer") else len(element)
-
-
-def _folded(operation: Callable[[Any, Any], Any], operands: Sequence[Any]) -> Any:
-    """Add or multiply one after the other, as long as the result stays within the limits."""
-    result = operands[0]
-    for operand in operands[1:]:
-        fractions = hasattr(result, "numer")
-        products = _size(result) * _size(operand)
-        if products > (MOST_PRODUCTS_OF_FRACTIONS if fractions else MOST_PRODUCTS) and (
-            fractions or operation is mul
-        ):
-            raise NoNormalForm("it has too many terms to expand")
-        result = operation(result, operand)
-    return result
-
-
-def _bits(element: Any) -> int:
-    """Return the length of the longest coefficient; 0 for algebraic ones."""
-    parts = (element.numer, element.denom) if hasattr(element, "numer") else (element,)
-    numbers = [c for part in parts for c in part.values() if part.ring.domain == sp.QQ]
-    return max((max(abs(int(c.numerator)), int(c.denominator)).bit_length() for c in numbers),
-               default=0)  # fmt: skip
-
-
-def _power(base: Any, exponent: int, divisors: list[Any]) -> Any:
-    if abs(exponent) > HIGHEST_POWER:
-        raise NoNormalForm(f"the power {exponent} is too high to expand")
-    if exponent < 0:
-        if not base:
-            raise NoNormalForm("a denominator is identically zero")
-        divisors.append(base)
-        base, exponent = 1 / base, -exponent
-    if exponent * _bits(base) > MOST_BITS:
-        raise NoNormalForm("its numbers have too many digits")
-    if exponent == 0:
-        return base - base + 1  # also for the base 0, as SymPy has it
-    result = base
-    for bit in bin(exponent)[3:]:
-        result = _folded(mul, [result, result])
-        result = _folded(mul, [result, base]) if bit == "1" else result
-    return result
+@lru_cache(maxsize=64)
+def _ring(size: int) -> PolyRing:
+    return PolyRing([sp.Symbol(f"g{i}") for i in range(size)], sp.QQ, lex)

@@ -2,24 +2,31 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
-from itertools import count, product
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from itertools import product
 from typing import Any
 
 import sympy as sp
 
 from ..errors import BadType
-from .normal_form import NoNormalForm, NormalForms, normal_forms
-from .side import Side, evaluated, read_side
+from .comparison import compared
+from .generators import NoNormalForm
+from .normal_form import NormalForms
+from .pieces import compared_in_pieces
+from .side import Side, evaluated, has_corners, read_side
 from .verdict import Proved, Refuted, Undecided, Verdict
 
 
 def prove(left: Any, right: Any) -> Verdict:
     """Decide whether two expressions, matrices or lists of expressions are equal.
 
-    Both sides are brought to a normal form in one polynomial ring or fraction field. Symbols are
-    matched by name; quotients are compared as rational functions, that is wherever both sides are
-    defined. Nothing is ever sampled: an equality is proved or refuted by algebra.
+    Both sides are brought to a normal form in one polynomial ring or fraction field, in which
+    roots and the sines and cosines of base angles obey their relations. Symbols are matched by
+    name; quotients are compared wherever both sides are defined. The variable of piecewise
+    expressions (also Abs, Max, Min) is real: they are compared on every interval between break
+    points and at each of these. An equality is never concluded from samples; what algebra cannot
+    decide, such as exp(t) = t, is refuted by enclosing both sides in intervals at a few points.
 
     Parameters
     ----------
@@ -44,8 +51,14 @@ def prove(left: Any, right: Any) -> Verdict:
     Proved: equal as polynomials in t with rational coefficients.
     >>> prove(3*t*(1 - t)**2, 3*t**2*(1 - t))
     Refuted: at t = 1/3 the left side is 4/9 and the right side 2/9.
-    >>> prove(sp.sin(t)**2 + sp.cos(t)**2, 1)
-    Undecided: equal only if something is known about cos(t), sin(t).
+    >>> prove(sp.cos(2*t), 1 - 2*sp.sin(t)**2)
+    Proved: equal as polynomials in cos(t), sin(t) with rational coefficients.
+    >>> prove(sp.Abs(t), t)
+    Refuted: at t = -1 the left side is 1 and the right side -1.
+    >>> prove(sp.exp(t), 1 + t + t**2/2)
+    Refuted: at t = 1 the left side is E and the right side 5/2.
+    >>> prove(sp.exp(2*t), sp.exp(t)**2 + sp.log(t) - sp.log(2*t) + sp.log(2))
+    Undecided: equal only if something is known about exp(2*t), log(2), log(2*t), log(t).
     """
     return prove_sides(read_side(left), read_side(right))
 
@@ -60,73 +73,36 @@ def prove_sides(left: Side, right: Side) -> Verdict:
         )
     verdicts: list[Verdict] = []
     places = product(*map(range, left.shape))
-    for place, a, b in zip(places, left.scalars, right.scalars, strict=True):
-        verdicts.append(_decide(a, b, place))
-        if isinstance(verdicts[-1], Refuted):
-            return verdicts[-1]
+    for place, verdict in zip(places, _verdicts(left.scalars, right.scalars), strict=False):
+        if isinstance(verdict, Refuted):
+            return replace(verdict, where=_place_in_words(place))
+        verdicts.append(verdict)
     undecided = [verdict for verdict in verdicts if not verdict]
     kinds = [verdict.kind for verdict in verdicts if isinstance(verdict, Proved)]
     return undecided[0] if undecided else Proved(max(kinds, key=len, default="empty lists"))
 
 
-def _decide(left: sp.Expr, right: sp.Expr, place: tuple[int, ...]) -> Verdict:
-    try:
-        forms = normal_forms([evaluated(left), evaluated(right)])
-    except NoNormalForm as reason:
-        return Undecided(str(reason))
-    except RecursionError:  # SymPy's own traversals
-        return Undecided("an expression is nested too deeply")
-    a, b = forms.elements
-    difference = a - b  # over algebraic numbers equal quotients may be written differently
-    if not difference:
-        return Proved(forms.kind)
-    if forms.opaque:
-        unknown = ", ".join(sorted(str(g) for g in forms.generators if not g.is_Symbol))
-        return Undecided(f"equal only if something is known about {unknown}")
-    values = _witness(forms, difference)
-    return Refuted(
-        dict(zip(forms.generators, map(forms.domain.to_sympy, values), strict=False)),
-        forms.domain.to_sympy(_value(a, values)),
-        forms.domain.to_sympy(_value(b, values)),
-        _place_in_words(place),
-    )
-
-
-def _witness(forms: NormalForms, difference: Any) -> list[Any]:
-    """Find values of the generators, one after the other, at which the difference is not zero.
-
-    A polynomial that is not zero has finitely many roots in its first variable, so some small
-    rational value keeps it, and every divisor, from vanishing identically.
-    """
-    nonzero = [part for e in (difference, *forms.divisors) for part in _numer_denom(e)]
-    values: list[Any] = []
-    while values == [] or hasattr(nonzero[0], "ring"):
-        for number in _small_rationals():
-            value = forms.domain.convert(number)
-            left = [polynomial.evaluate(polynomial.ring.gens[0], value) for polynomial in nonzero]
-            if all(left):
-                values.append(value)
-                nonzero = left
-                break
-    return values
-
-
-def _small_rationals() -> Iterator[sp.Rational]:
-    """Yield 0, 1, 1/2, 1/3, ... in [0, 1], where parameters live; after a while integers too."""
-    yield from (sp.Integer(0), sp.Integer(1))
-    for n in count(2):
-        yield from (sp.Rational(k, n) for k in range(1, n) if sp.igcd(k, n) == 1)
-        if n > 4:
-            yield from (sp.Integer(n - 3), sp.Integer(4 - n))
-
-
-def _numer_denom(element: Any) -> tuple[Any, ...]:
-    return (element.numer, element.denom) if hasattr(element, "numer") else (element,)
-
-
-def _value(element: Any, values: list[Any]) -> Any:
-    parts = [part(*values) for part in _numer_denom(element)]
-    return parts[0] / parts[1] if len(parts) == 2 else parts[0]
+def _verdicts(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> Iterator[Verdict]:
+    """Yield the verdict on every pair; the normal forms of all smooth ones share one ring."""
+    pairs: list[tuple[sp.Expr, sp.Expr] | Undecided] = []
+    for a, b in zip(left, right, strict=True):
+        try:
+            pairs.append((evaluated(a), evaluated(b)))
+        except NoNormalForm as reason:
+            pairs.append(Undecided(str(reason)))
+        except RecursionError:  # SymPy's own traversals
+            pairs.append(Undecided("an expression is nested too deeply"))
+    smooth = [pair for pair in pairs if isinstance(pair, tuple) and not has_corners(pair)]
+    forms = NormalForms([side for pair in smooth for side in pair])
+    place = 0
+    for pair in pairs:
+        if isinstance(pair, Undecided):
+            yield pair
+        elif has_corners(pair):
+            yield compared_in_pieces(pair)
+        else:
+            yield compared(forms, (place, place + 1), pair, {})
+            place += 2
 
 
 def _place_in_words(place: tuple[int, ...]) -> str:

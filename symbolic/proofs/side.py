@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -13,8 +13,12 @@ from sympy.matrices.exceptions import MatrixError
 from ..dag import postorder
 from ..errors import BadType, BadValue, shown
 from ..exact import as_list, by_name, exact
-from .normal_form import HIGHEST_POWER, NoNormalForm
+from ..fields import operands
+from ..radicals import is_radical
+from .elements import HIGHEST_POWER
+from .generators import NoNormalForm
 
+CORNERED = (sp.Piecewise, sp.Max, sp.Min, sp.Abs, sp.sign, sp.Heaviside)
 _DEEPEST_LIST = 8
 _MOST_TERMS = 1000  # of a sum written out
 
@@ -77,9 +81,10 @@ def _explicit(value: sp.MatrixExpr) -> sp.MatrixBase:
 
 
 def evaluated(expression: sp.Expr) -> sp.Expr:
-    """Return an expression with its derivatives, substitutions and short sums carried out.
+    """Return an expression with its sums, integrals, derivatives and substitutions carried out.
 
-    Symbols lose their assumptions first: they are matched by name.
+    Symbols lose their assumptions first: they are matched by name. Derivatives and substitutions
+    in rational functions stay: normal forms carry them out, far faster.
 
     Raises
     ------
@@ -90,24 +95,58 @@ def evaluated(expression: sp.Expr) -> sp.Expr:
     Examples
     --------
     >>> t = sp.Symbol("t")
-    >>> evaluated(sp.Derivative(t**3, t))
-    3*t**2
+    >>> evaluated(sp.Sum(t**2, (t, 1, 3)))
+    14
     """
     nodes = list(postorder([expression]))
-    zeros = [node for node in nodes if node.is_Symbol and node.is_zero]
+    symbols = {node for node in nodes if type(node) is sp.Symbol}
+    zeros = [symbol for symbol in symbols if symbol.is_zero]
     if zeros:
         raise NoNormalForm(f"{zeros[0]} is declared to be zero: write 0")
-    if not any(isinstance(node, tuple(_LIMITS)) for node in nodes):
+    if any(symbol != sp.Symbol(symbol.name) for symbol in symbols):
+        expression = by_name(expression)
+        nodes = list(postorder([expression]))
+    if all(is_operator(node) for node in nodes if isinstance(node, tuple(_LIMITS))):
         return expression
     for node in nodes:
+        if isinstance(node, sp.Derivative) and has_corners([node.expr]):
+            raise NoNormalForm("a derivative at break points is not understood")  # nor by SymPy
         for kind, is_short in _LIMITS.items():
             if isinstance(node, kind) and not is_short(node):
                 raise NoNormalForm(f"{shown(node, 60)} is too long to be carried out")
-    result = by_name(expression).doit()
+    result = expression.doit()
     try:
         return exact(result)
     except BadValue:
         raise NoNormalForm(f"{shown(expression, 60)} is {shown(result, 60)}") from None
+
+
+def has_corners(expressions: Iterable[sp.Basic]) -> bool:
+    """Tell whether some expression is made of pieces."""
+    return any(isinstance(node, CORNERED) for node in postorder(expressions))
+
+
+def is_operator(node: sp.Basic) -> bool:
+    """Tell whether a node is a derivative or substitution in a rational function of symbols."""
+    if isinstance(node, sp.Derivative):
+        inside, variables = [node.expr], node.variables
+        if not _is_low_derivative(node):
+            return False
+    elif isinstance(node, sp.Subs):
+        inside, variables = [node.expr, *node.point], node.variables
+    else:
+        return False
+    return all(variable.is_Symbol for variable in variables) and all(
+        below.is_Rational or below.is_Symbol or operands(below) or is_radical(below)
+        or isinstance(below, sp.Derivative | sp.Subs)
+        for below in postorder(inside, _inside)
+    )  # fmt: skip
+
+
+def _inside(node: sp.Basic) -> tuple[sp.Basic, ...]:
+    if isinstance(node, sp.Derivative):
+        return (node.expr,)
+    return (node.expr, *node.point) if isinstance(node, sp.Subs) else operands(node)
 
 
 def _is_short_sum(node: sp.Sum | sp.Product) -> bool:

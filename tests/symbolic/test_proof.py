@@ -69,11 +69,10 @@ def test_proved(left, right):
 
 
 @pytest.mark.parametrize(("left", "right"), [
-    (sin(t) ** 2 + cos(t) ** 2, 1),
-    (sqrt(t) ** 2 + sp.sqrt(t**2), t),
-    (sp.Abs(t), t),
-    (sp.Piecewise((t, t > 0), (0, True)), t),
-    (pi, Rational(22, 7)),
+    (sp.log(2 * t), sp.log(2) + sp.log(t)),
+    (sqrt(t**2) * sqrt(x**2), sqrt(t**2 * x**2)),
+    (sqrt(x) * sqrt(y), sqrt(x * y)),
+    (sp.Abs(t * x), sp.Abs(t) * sp.Abs(x)),
     (1 / (x * y - y * x + (t - 1) * (t + 1) - t**2 + 1), 1),
     ((x + y) ** 10_000, x),
 ])  # fmt: skip
@@ -129,13 +128,13 @@ def test_text_is_never_evaluated():
 def test_only_proved_is_true_in_a_condition():
     assert prove(t, t)
     assert not prove(t, x)
-    assert not prove(sp.Abs(t), t)
+    assert not prove(sp.Abs(x * y), x * y)
 
 
 def test_a_false_step_shows_a_cross_and_a_true_one_a_tick():
     assert r"\checkmark" in Step(t + t, 2 * t, "add")._repr_latex_()
     assert r"\times" in Step(t + t, t**2, "add")._repr_latex_()
-    assert "?" in Step(sp.Abs(t), t, "hope")._repr_latex_()
+    assert "?" in Step(sp.log(2 * t), sp.log(2) + sp.log(t), "hope")._repr_latex_()
 
 
 def test_errors_survive_pickling():
@@ -161,8 +160,6 @@ def test_symbols_are_matched_by_name_inside_derivatives_and_sums_too():
 
 
 @pytest.mark.parametrize(("left", "right"), [
-    (sum(sp.sqrt(p) for p in (2, 3, 5, 7, 11)), 1),
-    (2 ** Rational(1, 10**6), 1),
     (sp.Add(*(1 / (p + q) for p in sp.symbols("p:8") for q in sp.symbols("p:8"))), 0),
     (reduce(lambda b, _: sp.Pow(b, 512, evaluate=False), range(3), sp.Integer(7)), 1),
     (sp.Sum(sin(x), (x, 1, 10**7)), 0),
