@@ -224,6 +224,9 @@ class BSpline:
     def _knots_in_words(self) -> str:
         return ", ".join(map(str, self.knots.knots))
 
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        return type(self), (self.knots,)
+
     def __repr__(self) -> str:
         return f"<BSpline of degree {self.degree} over {self._knots_in_words()}>"
 

@@ -155,6 +155,8 @@ def closed_derivation(count: int = 4, degree: int = 3) -> Derivation:
     >>> closed_derivation(4, 2).is_proved
     True
     """
+    if whole_number(degree) is None or degree < 1:
+        raise BadValue("a degree 1, 2, 3, ...", shown(degree), "Constant pieces do not join.")
     points = sp.symbols(f"P0:{count}")
     wrapped = [row[0] for row in wrap_points([[point] for point in points], degree)]
     first, last = _uniform(wrapped[: degree + 1]), _uniform(wrapped[-degree - 1 :])

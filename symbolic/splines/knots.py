@@ -259,6 +259,9 @@ class KnotVector:
                     "More would leave a function that is zero everywhere.",
                 )
 
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        return type(self), (self.knots, self.degree)  # SymPy's fields cannot be pickled
+
     def __repr__(self) -> str:
         a, b = self.domain
         return (
@@ -317,8 +320,10 @@ def _sign_in(field: Domain, difference: Any) -> int | None:
     if not difference:
         return 0
     number = field.to_sympy(difference)
+    if number.free_symbols:
+        return None
     side = sign(number)
-    if side is None and not number.free_symbols:
+    if side is None:
         raise BadValue("real knots", f"a difference of {number}", "Knots lie on the real line.")
     return side
 

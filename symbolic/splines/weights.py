@@ -6,6 +6,7 @@ knot insertion, the ends of a span give Bezier points, directions give derivativ
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Sequence
 from math import comb
 from typing import Any
@@ -16,6 +17,7 @@ from sympy.polys.domains.domain import Domain
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, exact_points
 from ..fields import common_field
+from .factored import Factored, as_polynomials
 from .knots import KnotVector
 
 Argument = tuple[Any, bool]
@@ -41,23 +43,30 @@ def blossom_weights(
     >>> blossom_weights(u, 1, [(sp.QQ(3, 2), True)], sp.QQ)
     [1/2, 1/2]
     """
-    row = [field.one]
+    parameters = [x for x, _ in arguments]
+    polynomials = as_polynomials([*knots, *parameters], field)
+    one, zero = field.one, field.zero
+    if polynomials is not None:
+        ring = polynomials[0].ring
+        one, zero = Factored(ring.one, Counter()), Factored(ring.zero, Counter())
+        knots, parameters = polynomials[: len(knots)], polynomials[len(knots) :]
+    row = [one]
     last = len(knots) - 1
-    for r, (x, is_parameter) in enumerate(arguments, 1):
-        new = [field.zero] * (r + 1)
+    for r, (x, (_, is_parameter)) in enumerate(zip(parameters, arguments, strict=True), 1):
+        new = [zero] * (r + 1)
         for k, weight in enumerate(row):
             i = span - r + 1 + k
             if i < 0 or i + r > last or not weight:
                 continue
             share = weight / (knots[i + r] - knots[i])
             if is_parameter:
-                new[k] += (knots[i + r] - x) * share
-                new[k + 1] += (x - knots[i]) * share
+                new[k] += share * (knots[i + r] - x)
+                new[k + 1] += share * (x - knots[i])
             else:
-                new[k] -= x * share
-                new[k + 1] += x * share
+                new[k] += share * -x
+                new[k + 1] += share * x
         row = new
-    return row
+    return row if polynomials is None else [weight.in_field(field) for weight in row]
 
 
 def power_rows(
@@ -72,10 +81,12 @@ def power_rows(
     last = [(x, True) for x in fixed]
     rows: list[Row] = []
     for k in range(degree, -1, -1):
-        arguments = [(unit, False)] * k + [(origin, True)] * (degree - k) + last
-        factor = field(comb(degree, k))
+        directions = [(unit, False)] * k
+        if k:  # f is linear in a direction, so that it can take the factor
+            directions[0] = (unit * field(comb(degree, k)), False)
+        arguments = directions + [(origin, True)] * (degree - k) + last
         weights = blossom_weights(knots.elements, span, arguments, field)
-        rows.append((span - len(arguments), [factor * w for w in weights]))
+        rows.append((span - len(arguments), weights))
     return rows
 
 
