@@ -53,10 +53,10 @@ class Continuity:
 
     def __str__(self) -> str:
         if self.parametric == -1:
-            gap = _row(self.residuals[0])
-            return f"There is a gap of {gap}: neither C^0 nor G^0."
-        sentences = [self._parametric_words(), self._geometric_words(), self._symbols_words()]
-        return " ".join(filter(None, sentences))
+            sentences = [f"There is a gap of {_row(self.residuals[0])}: neither C^0 nor G^0."]
+        else:
+            sentences = [self._parametric_words(), self._geometric_words()]
+        return " ".join(filter(None, [*sentences, self._symbols_words()]))
 
     def __repr__(self) -> str:
         return str(self)
@@ -92,10 +92,11 @@ class Continuity:
         return f"The unit tangents {how}: G^0, not G^1.{why}"
 
     def _symbols_words(self) -> str:
-        names = sorted({str(s) for row in self.residuals for c in row for s in c.free_symbols})
+        vectors = [*self.residuals, *(tangent for tangent in self.tangents if tangent)]
+        names = sorted({str(s) for row in vectors for c in row for s in c.free_symbols})
         if not names:
             return ""
-        return f"So for all values of {', '.join(names)} but special ones."
+        return f"This holds for all values of {', '.join(names)} but special ones."
 
 
 def _row(vector: Point) -> str:

@@ -21,6 +21,7 @@ from symbolic import (
     continuity_at,
     elevate_degree,
     geometric_continuity,
+    joint_properties,
     parametric_continuity,
     prove,
     subdivide,
@@ -31,7 +32,7 @@ P = P0, P1, P2, P3 = sp.symbols("P0:4")
 Q = Q0, Q1, Q2, Q3 = sp.symbols("Q0:4")
 B1, B2, B3 = sp.symbols("b1:4")
 
-few = settings(max_examples=12, deadline=None)
+few = settings(max_examples=10, deadline=None)
 numbers = st.fractions(min_value=-4, max_value=4, max_denominator=5)
 positives = st.fractions(min_value=Fraction(1, 4), max_value=3, max_denominator=4)
 vectors = st.tuples(numbers, numbers)
@@ -151,6 +152,12 @@ def test_a_joint_of_the_order_of_the_degree_leaves_one_polynomial(degree):
     verdict = continuity_at([[p] for p in joint.given], [[q] for q in joint.points], r)
     assert verdict.parametric == verdict.geometric == sp.oo
     assert joint.derivation.is_proved
+
+
+@pytest.mark.parametrize("degree", range(2, 6))
+def test_what_is_said_of_joints_is_proved(degree):
+    for name, derivation in joint_properties(degree).items():
+        assert derivation.is_proved, name
 
 
 # ---- conditions ---------------------------------------------------------------------------------
@@ -342,7 +349,17 @@ def test_symbols_give_the_orders_of_general_values():
     p = sp.Symbol("r", positive=True)
     assert continuity_at(left, [[x, y], [x + p * x, y + p * y]]).geometric == sp.oo
     assert continuity_at(left, [[x, y], [x - p * x, y - p * y]]).geometric == 0
-    assert "special ones" in str(continuity_at(left, [[x, y], [1, 1]]))
+    for first in ([x, y], [1, y]):
+        assert "special ones" in str(continuity_at(left, [first, [1, 1]]))
+
+
+def test_contact_with_symbols_is_followed_only_so_far():
+    x = sp.Symbol("x")
+    faster = t + t**3
+    joint = continuity_at((t - 1, x * (t - 1) ** 2), (faster, x * faster**2))
+    assert isinstance(joint.geometric, Undecided)
+    assert joint.geometric_at_least == 8
+    assert joint.derivation.is_proved
 
 
 SINGULAR = {
@@ -401,6 +418,7 @@ BAD = {
     "order above the degree": (lambda: parametric_continuity(2, 3), BadValue, "degree 2"),
     "order -1": (lambda: geometric_continuity(2, -1, ()), BadValue, "order"),
     "degree 0": (lambda: geometric_continuity(0, 0, ()), BadValue, "degree 1, 2, 3"),
+    "properties of lines": (lambda: joint_properties(1), BadValue, "degree 2, 3, 4"),
     "degree 2.5": (lambda: parametric_continuity(2.5, 0), BadValue, "degree 1, 2, 3"),
     "too few betas": (lambda: geometric_continuity(3, 2, [1]), BadValue, "2 betas"),
     "no list of betas": (lambda: geometric_continuity(3, 1, 1), BadType, "list"),
