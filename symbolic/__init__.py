@@ -11,6 +11,7 @@ from .bases.chord_knots import chord_knots
 from .bases.constraints import Condition, derivative, value
 from .bases.from_constraints import basis_from
 from .bases.hermite import hermite
+from .bases.identify import Identification, identify
 from .bases.kochanek_bartels import cardinal, kochanek_bartels
 from .bases.lagrange import lagrange
 from .bases.monomial import monomial
@@ -36,6 +37,15 @@ from .interpolation.oscillation import lebesgue_function, runge_phenomenon
 from .proofs.derivation import Derivation, Step
 from .proofs.proof import prove
 from .proofs.verdict import Proved, Refuted, Undecided, Verdict
+from .rational.arcs import arc, arc_between, on_circle
+from .rational.circle import circle
+from .rational.common_denominator import rational_to_bezier
+from .rational.conics import Conic, conic_through, conic_type
+from .rational.homogeneous import HullWarning, RationalLevels
+from .rational.implicit import ImplicitCurve, implicitize
+from .rational.nurbs import NURBS
+from .rational.properties import rational_properties
+from .rational.rational_bezier import RationalBezier
 from .splines.bspline import BSpline
 from .splines.ends import (
     closed_derivation,
@@ -52,21 +62,28 @@ FAMILIES = {"Bezier": bezier, "Hermite": hermite}
 
 __all__ = [
     "FAMILIES",
+    "NURBS",
     "BSpline",
     "BadType",
     "BadValue",
     "Basis",
     "Blossom",
     "Condition",
+    "Conic",
     "Continuity",
     "Derivation",
     "Geometry",
+    "HullWarning",
+    "Identification",
+    "ImplicitCurve",
     "InterpolatingSpline",
     "JointConditions",
     "KnotVector",
     "NotExact",
     "OutsideDomain",
     "Proved",
+    "RationalBezier",
+    "RationalLevels",
     "Reduction",
     "Refuted",
     "Step",
@@ -75,6 +92,8 @@ __all__ = [
     "Verdict",
     "a_frame",
     "antiderivative",
+    "arc",
+    "arc_between",
     "basis_from",
     "bernstein",
     "bezier",
@@ -85,8 +104,11 @@ __all__ = [
     "check",
     "check_blossom",
     "chord_knots",
+    "circle",
     "clamped_knots",
     "closed_derivation",
+    "conic_through",
+    "conic_type",
     "connection_matrix",
     "continuity_at",
     "de_casteljau",
@@ -95,6 +117,8 @@ __all__ = [
     "geometric_continuity",
     "hermite",
     "hodograph",
+    "identify",
+    "implicitize",
     "interpolating_spline",
     "joint_properties",
     "kochanek_bartels",
@@ -103,12 +127,15 @@ __all__ = [
     "minimum_acceleration",
     "monomial",
     "multiple_vertex_derivation",
+    "on_circle",
     "parametric_continuity",
     "phantom_derivation",
     "phantom_ends",
     "polar_levels",
     "polynomial_to_bezier",
     "prove",
+    "rational_properties",
+    "rational_to_bezier",
     "reduce_degree",
     "repeat_ends",
     "restrict",

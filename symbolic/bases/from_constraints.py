@@ -64,7 +64,16 @@ def basis_from(
     (t**2 - 2*t + 1, -2*t**2 + 2*t, t**2)
     """
     conditions, combinations = read_constraints(constraints)
-    entries = entries_of(conditions, combinations, geometry)
+    return basis_of(conditions, combinations, entries_of(conditions, combinations, geometry), name)
+
+
+def basis_of(
+    conditions: Sequence[Condition],
+    combinations: Sequence[sp.Expr],
+    entries: Sequence[sp.Symbol],
+    name: str,
+) -> Basis:
+    """Return the basis of constraints that are read already; entries may be left unmentioned."""
     degree = len(conditions) - 1
     system = _system(conditions, degree)
     demands = demand_rows(entries, combinations)
@@ -73,7 +82,9 @@ def basis_from(
         inverse = system.inv()
     except DMNonInvertibleMatrixError:
         _refuse_unsolvable(system, conditions, combinations)
-    own_entries = list(entries) == combinations  # one entry for every condition: L is the identity
+    own_entries = list(entries) == list(
+        combinations
+    )  # one entry for every condition: L is the identity
     matrix = inverse if own_entries else product(inverse, demands)
     constant_one = system[:, degree:]  # what the conditions make of the curve c = 1
     kinds = constant_one if own_entries else solution(demands, constant_one)

@@ -13,7 +13,7 @@ from ..exact import PARAMETER, by_name, exact
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis
 from .constraints import derivative, value
-from .from_constraints import basis_from
+from .from_constraints import basis_of
 
 _POINTS = sp.symbols("P0:4")
 
@@ -111,13 +111,9 @@ def _kochanek_bartels(tension: sp.Expr, continuity: sp.Expr, bias: sp.Expr) -> B
 
 
 def _segment(start: sp.Expr, end: sp.Expr, name: str) -> Basis:
-    constraints = [
-        (value(0), _POINTS[1]),
-        (value(1), _POINTS[2]),
-        (derivative(0), start),
-        (derivative(1), end),
-    ]
-    return basis_from(constraints, geometry=_POINTS, name=name)
+    # Tension 1 leaves P0 and P3 without influence; they are entries of G nevertheless.
+    conditions = (value(0), value(1), derivative(0), derivative(1))
+    return basis_of(conditions, (_POINTS[1], _POINTS[2], start, end), _POINTS, name)
 
 
 def _outgoing(t: sp.Expr, c: sp.Expr, b: sp.Expr, before: Any, at: Any, after: Any) -> sp.Expr:
