@@ -11,7 +11,7 @@ from ..exact import Point, by_name, exact, exact_points
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
-from .homogeneous import decidable_field
+from .homogeneous import decidable_field, quotient
 from .rational_bezier import RationalBezier
 
 
@@ -55,7 +55,9 @@ def arc(cosine: Any, center: Any = (0, 0), radius: Any = 1) -> RationalBezier:
             "Angles like 30, 45, 60 and 90 degrees, and all rational cosines, are exact.",
         )
     x, y = plane_point(center)
-    return arc_between((x + r, y), (x + r * c, y + r * sine), (x, y))
+    tangent = r * quotient(sine, 1 + c)  # the tangent of half the angle, times r
+    points = ((x + r, y), (x + r, y + tangent), (x + r * c, y + r * sine))
+    return RationalBezier(points, _weights(c))
 
 
 def arc_between(start: Any, end: Any, center: Any = (0, 0)) -> RationalBezier:
@@ -105,10 +107,8 @@ def arc_between(start: Any, end: Any, center: Any = (0, 0)) -> RationalBezier:
         )
     cosine = (ax * bx + ay * by) / squared
     corner = (mx + (ax + bx) / (1 + cosine), my + (ay + by) / (1 + cosine))
-    c = field.to_sympy(cosine)
-    half = _root((1 + c) / 2)
-    weights = (2, 1 + c, 1 + c) if half is None else (1, half, 1)
-    return RationalBezier((p, tuple(map(field.to_sympy, corner)), q), weights)
+    points = (p, tuple(map(field.to_sympy, corner)), q)
+    return RationalBezier(points, _weights(field.to_sympy(cosine)))
 
 
 def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> Derivation:
@@ -145,6 +145,11 @@ def plane_point(value: Any) -> Point:
     if len(row) != 2:
         raise BadValue("a point in the plane", shown(row), "Give two coordinates.")
     return tuple(map(by_name, row))
+
+
+def _weights(cosine: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:
+    half = _root((1 + cosine) / 2)
+    return (sp.S(2), 1 + cosine, 1 + cosine) if half is None else (sp.S.One, half, sp.S.One)
 
 
 def _root(number: sp.Expr) -> sp.Expr | None:

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import sympy as sp
@@ -12,6 +13,25 @@ from ..exact import PARAMETER, whole_number
 from ..proofs.derivation import Derivation, Step
 
 t = PARAMETER
+
+
+def rational_properties(n: int) -> dict[str, Derivation]:
+    """Return the derivations of all properties below for degree n >= 1, by name.
+
+    Raises
+    ------
+    BadValue
+        If n is not a positive integer.
+
+    Examples
+    --------
+    >>> properties = rational_properties(2)
+    >>> list(properties)[:3]
+    ['equal weights', 'rational de Casteljau', 'weight attraction']
+    >>> all(derivation.is_proved for derivation in properties.values())
+    True
+    """
+    return {name: derive(_degree(n)) for name, derive in PROPERTIES.items()}
 
 
 def equal_weights(n: int = 2) -> Derivation:
@@ -199,6 +219,18 @@ def polynomial_conics(n: int = 2) -> Derivation:
               for m in range(n + 1)),
         ),
     )  # fmt: skip
+
+
+PROPERTIES: dict[str, Callable[[int], Derivation]] = {
+    "equal weights": equal_weights,
+    "rational de Casteljau": rational_de_casteljau,
+    "weight attraction": weight_attraction,
+    "reparametrization": reparametrization,
+    "projective invariance": projective_invariance,
+    "no polynomial circle": no_polynomial_circle,
+    "polynomial conics": polynomial_conics,
+}
+"""What rational curves of every degree satisfy, and polynomial ones cannot."""
 
 
 def _leading(polynomial: sp.Expr, k: int) -> sp.Expr:
