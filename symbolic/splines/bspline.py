@@ -16,7 +16,6 @@ from ..proofs.derivation import Derivation, Step
 from . import calculus, conversion, cox_de_boor, discretization, insertion, multiplicity
 from . import de_boor as evaluation
 from .knots import KnotVector
-from .weights import control_symbols
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -231,11 +230,9 @@ class BSpline:
         return f"<BSpline of degree {self.degree} over {self._knots_in_words()}>"
 
     def _repr_latex_(self) -> str:
-        terms = " + ".join(
-            rf"{sp.latex(P)} N_{{{i},{self.degree}}}(t)"
-            for i, P in enumerate(control_symbols(self.knots))
-        )
-        return rf"$\displaystyle \mathbf c(t) = {terms}$"
+        terms = rf"\sum_{{i=0}}^{{{self.point_count - 1}}} \mathbf P_i N_{{i,{self.degree}}}(t)"
+        knots = sp.latex(sp.Tuple(*self.knots.knots))
+        return rf"$\displaystyle \mathbf c(t) = {terms}, \quad \mathbf u = {knots}$"
 
 
 def _spline(knots: KnotVector, points: tuple[Point, ...]) -> tuple[BSpline, tuple[Point, ...]]:

@@ -9,17 +9,28 @@ from collections.abc import Callable
 import sympy as sp
 
 from symbolic import (
+    NURBS,
+    BSpline,
     Derivation,
+    RationalBezier,
+    arc,
     bezier,
     bezier_properties,
     blossom,
+    closed_derivation,
+    conic_type,
     continuity_at,
     geometric_continuity,
     hermite,
+    implicitize,
     interpolating_spline,
     joint_properties,
     minimum_acceleration,
+    multiple_vertex_derivation,
+    on_circle,
     parametric_continuity,
+    phantom_derivation,
+    rational_properties,
     runge_phenomenon,
 )
 
@@ -69,4 +80,36 @@ DERIVATIONS += [
       for name in JOINTS),
     ("C^2 joint", lambda: parametric_continuity(3, 2, r).derivation),
     ("G^2 joint", lambda: geometric_continuity(3, 2, (b1, b2)).derivation),
+]  # fmt: skip
+
+a, b = sp.symbols("a b")
+QUADRATIC = BSpline([0, 0, 0, 1, 1, 3, 4, 4, 4], 2)
+DERIVATIONS += [
+    ("B-splines with a double knot", lambda: QUADRATIC.derivation),
+    ("B-splines over symbolic knots", lambda: BSpline([0, 0, a, a + b, 5, 5], 1).derivation),
+    ("Span of a B-spline", lambda: BSpline([0, 1, 3, 4, 6, 7, 9, 9], 3).span_basis(3).derivation),
+    ("De Boor's algorithm", lambda: QUADRATIC.de_boor_derivation(4)),
+    ("Knot insertion", lambda: QUADRATIC.insertion_derivation(2)),
+    ("Knot insertion at a symbol", lambda: BSpline([0, 0, a, 5, 5], 1).insertion_derivation(a)),
+    ("Derivatives of B-splines", lambda: QUADRATIC.derivative_derivation(4)),
+    ("A triple knot", lambda: BSpline([0, 0, 0, 1, 1, 1, 2, 2, 2], 2).continuity_derivation(1)),
+    ("Rendering a B-spline", lambda: BSpline(range(7), 2).discretization_derivation(2)),
+    ("Multiple vertices", multiple_vertex_derivation),
+    ("Phantom vertices", phantom_derivation),
+    ("A closed B-spline curve", closed_derivation),
+]  # fmt: skip
+
+QUARTER = [[1, 0], [1, 1], [0, 1]]
+DERIVATIONS += [
+    *((f"Rational curves: {name}", lambda name=name: rational_properties(2)[name])
+      for name in rational_properties(2)),
+    ("A quarter of a circle", lambda: on_circle(arc(0))),
+    ("A circle from weights", lambda: conic_type(QUARTER, [1, 1, 2]).derivation),
+    ("A hyperbola from weights", lambda: conic_type(QUARTER, [1, 3, 2]).derivation),
+    ("A line from weights", lambda: conic_type([[0, 0], [1, 1], [3, 3]], [1, 2, 3]).derivation),
+    ("A NURBS curve", lambda: NURBS([0, 0, 0, 1, 2, 2, 2], 2, [*QUARTER, [3, 1]],
+                                    [1, 2, 3, 1]).derivation),
+    ("Equation of the circle", lambda: implicitize(RationalBezier(QUARTER, [1, 1, 2])).derivation),
+    ("Equation of a cubic", lambda: implicitize([t**2 - 1, t**3 - t]).derivation),
+    ("Equation of a curve traced twice", lambda: implicitize([t**2, t**4 + t**2]).derivation),
 ]  # fmt: skip
