@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
 import sympy as sp
 
+from .linear_text import linear_text
 from .proof import prove
 from .verdict import Proved, Refuted, Verdict
-
-_MARKS = {Proved: r"\checkmark", Refuted: r"\times"}
 
 
 @dataclass(frozen=True, repr=False)
@@ -27,8 +26,10 @@ class Step:
     >>> step.verify()
     Proved: equal as polynomials in t with rational coefficients.
     >>> print(Step((1 - t)*t, t - t**2, "expand"))
-    t*(1 - t) = -t**2 + t, because expand
-    """
+    t (1 - t) = -t^2 + t, because expand
+    >>> print(Step((1 - t)*t, t**2, "expand"))
+    t (1 - t) is NOT equal to t^2: at t = 1 the left side is 0 and the right side 1 (claimed because expand)
+    """  # noqa: E501
 
     left: Any
     right: Any
@@ -44,7 +45,11 @@ class Step:
         return self.verdict
 
     def __str__(self) -> str:
-        return f"{_linear(self.left)} = {_linear(self.right)}, because {self.because}"
+        left, right, verdict = linear_text(self.left), linear_text(self.right), self.verdict
+        if isinstance(verdict, Proved):
+            return f"{left} = {right}, because {self.because}"
+        relation = "is NOT equal to" if isinstance(verdict, Refuted) else "is NOT PROVED equal to"
+        return f"{left} {relation} {right}: {_reason(verdict)} (claimed because {self.because})"
 
     def __repr__(self) -> str:
         return f"{self} ({type(self.verdict).__name__.lower()})"
@@ -53,14 +58,30 @@ class Step:
         return rf"$\displaystyle {self.latex()}$"
 
     def latex(self) -> str:
-        """Return the equation and a tick (or a cross, or a question mark) as LaTeX."""
-        mark = _MARKS.get(type(self.verdict), "?")
-        return rf"{sp.latex(self.left)} = {sp.latex(self.right)} \quad {mark}"
+        r"""Return the equation and a tick as LaTeX.
+
+        A step that is not proved has a crossed or questioned equals sign instead, and says so in
+        words, with the witness or the reason.
+        """
+        left, right, verdict = sp.latex(self.left), sp.latex(self.right), self.verdict
+        if isinstance(verdict, Proved):
+            return rf"{left} = {right} \quad \checkmark"
+        relation = r"\neq" if isinstance(verdict, Refuted) else r"\overset{?}{=}"
+        word = type(verdict).__name__.lower()
+        return rf"{left} {relation} {right} \quad \text{{({word}: {_escaped(_reason(verdict))})}}"
+
+
+def _reason(verdict: Verdict) -> str:
+    """Return what a verdict says after its name."""
+    return str(replace(verdict, diagnosis="")).partition(": ")[2].rstrip(".")
 
 
 @dataclass(frozen=True, repr=False)
 class Derivation:
     """A titled sequence of steps; prints as LaTeX in a notebook and as plain lines elsewhere.
+
+    `source` names where the argument can be read. A derivation with a step that is not proved says
+    so in its title.
 
     Examples
     --------
@@ -70,11 +91,12 @@ class Derivation:
     True
     >>> short
     Expanding
-    1. t*(1 - t) = -t**2 + t, because expand (proved)
+    1. t (1 - t) = -t^2 + t, because expand (proved)
     """
 
     title: str
     steps: tuple[Step, ...]
+    source: str = ""
 
     def verify(self) -> list[Verdict]:
         """Return the verdict on every step; `is_proved` sums them up."""
@@ -85,41 +107,29 @@ class Derivation:
         """Whether every single step is proved."""
         return all(self.verify())
 
+    @property
+    def heading(self) -> str:
+        """The title, the source, and a warning if some step is not proved."""
+        source = f" [{self.source}]" if self.source else ""
+        count = sum(not verdict for verdict in self.verify())
+        warning = f" (NOT PROVED: {count} of {len(self.steps)} steps fail)" if count else ""
+        return f"{self.title}{source}{warning}"
+
     def __str__(self) -> str:
         lines = (f"{i}. {step}" for i, step in enumerate(self.steps, 1))
-        return "\n".join((self.title, *lines))
+        return "\n".join((self.heading, *lines))
 
     def __repr__(self) -> str:
         lines = (f"{i}. {step!r}" for i, step in enumerate(self.steps, 1))
-        return "\n".join((self.title, *lines))
+        return "\n".join((self.heading, *lines))
 
     def _repr_latex_(self) -> str:
-        lines = [rf"&\textbf{{{_escaped(self.title)}}}"]
+        lines = [rf"&\textbf{{{_escaped(self.heading)}}}"]
         for i, step in enumerate(self.steps, 1):
             lines.append(rf"&\text{{{i}. {_escaped(step.because)}:}}")
             lines.append(rf"&\qquad {step.latex()}")
         rows = r" \\[4pt] ".join(lines)
         return rf"$\displaystyle \begin{{aligned}} {rows} \end{{aligned}}$"
-
-
-def _linear(side: Any) -> str:
-    """One line of text for a screen reader: matrices row by row in brackets.
-
-    >>> t = sp.Symbol("t")
-    >>> _linear(sp.Subs(sp.Derivative(t**2, t), t, 1))
-    'd/dt (t**2) at t = 1'
-    """
-    if isinstance(side, sp.Subs):
-        return f"{_linear(side.expr)} at {side.variables[0]} = {side.point[0]}"
-    if isinstance(side, sp.Derivative):
-        variable, order = side.variable_count[0]
-        power = f"^{order}" if order > 1 else ""
-        return f"d{power}/d{variable}{power} ({side.expr})"
-    if isinstance(side, sp.MatMul):
-        return " * ".join(_linear(factor) for factor in side.args)
-    if isinstance(side, sp.MatrixBase):
-        return str(side.tolist())
-    return str(side)
 
 
 def _escaped(text: str) -> str:

@@ -7,9 +7,9 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from sympy import I, Rational, cos, pi, sin, sqrt
+from sympy import I, Rational, pi, sin, sqrt
 
-from symbolic import BadType, NotExact, Proved, Refuted, Step, Undecided, check, prove
+from symbolic import BadType, Derivation, NotExact, Proved, Refuted, Step, Undecided, check, prove
 from symbolic.errors import BadValue
 
 t, x, y = symbols = sp.symbols("t x y")
@@ -131,10 +131,29 @@ def test_only_proved_is_true_in_a_condition():
     assert not prove(sp.Abs(x * y), x * y)
 
 
-def test_a_false_step_shows_a_cross_and_a_true_one_a_tick():
-    assert r"\checkmark" in Step(t + t, 2 * t, "add")._repr_latex_()
-    assert r"\times" in Step(t + t, t**2, "add")._repr_latex_()
-    assert "?" in Step(sp.log(2 * t), sp.log(2) + sp.log(t), "hope")._repr_latex_()
+def test_a_step_that_fails_never_reads_as_if_it_held():
+    true = Step(t + t, 2 * t, "add")
+    false = Step(t + t, t**2, "add")
+    open_ = Step(sp.log(2 * t), sp.log(2) + sp.log(t), "hope")
+    assert r"= 2 t \quad \checkmark" in true._repr_latex_()
+    assert r"2 t \neq t^{2}" in false._repr_latex_() and "at t = 1" in false._repr_latex_()
+    assert r"\overset{?}{=}" in open_._repr_latex_() and "undecided: " in open_._repr_latex_()
+    assert "=" not in str(false).partition(":")[0]
+    assert "NOT PROVED" in str(open_)
+    for step in (false, open_):
+        derivation = Derivation("Doubling", (true, step), source="nowhere")
+        assert not derivation.is_proved
+        for text in (str(derivation), repr(derivation), derivation._repr_latex_()):
+            assert "Doubling [nowhere] (NOT PROVED: 1 of 2 steps fail)" in text
+            assert r"\checkmark" not in text.rpartition("2.")[2]
+
+
+def test_pieces_are_shown_in_both_forms():
+    hat = sp.Piecewise((t, (t >= 0) & (t < 1)), (2 - t, (t >= 1) & (t <= 2)), (0, True))
+    step = Step(hat, sp.Max(0, 1 - sp.Abs(t - 1)), "the hat function")
+    assert step.verify()
+    assert str(step).startswith("t if t is at least 0 and t is less than 1, 2 - t if ")
+    assert r"\begin{cases}" in step._repr_latex_()
 
 
 def test_errors_survive_pickling():
