@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import lru_cache
+from math import comb
 
 import sympy as sp
 
@@ -37,8 +38,7 @@ def bezier(n: int) -> Basis:
 @lru_cache(maxsize=64)
 def _bezier(n: int) -> Basis:
     rows = [
-        [(-1) ** (k - i) * sp.binomial(n, k) * sp.binomial(k, i) for i in range(n + 1)]
-        for k in range(n, -1, -1)
+        [(-1) ** (k - i) * comb(n, k) * comb(k, i) for i in range(n + 1)] for k in range(n, -1, -1)
     ]
     geometry = tuple(Geometry(symbol, "point") for symbol in sp.symbols(f"P0:{n + 1}"))
     return Basis(f"Bernstein basis of degree {n}", geometry, dense(rows), _derivation)
