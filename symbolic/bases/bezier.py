@@ -38,7 +38,7 @@ def bezier(n: int) -> Basis:
 @lru_cache(maxsize=64)
 def _bezier(n: int) -> Basis:
     rows = [
-        [(-1) ** (k - i) * comb(n, k) * comb(k, i) for i in range(n + 1)] for k in range(n, -1, -1)
+        [(-1) ** (k + i) * comb(n, k) * comb(k, i) for i in range(n + 1)] for k in range(n, -1, -1)
     ]
     geometry = tuple(Geometry(symbol, "point") for symbol in sp.symbols(f"P0:{n + 1}"))
     return Basis(f"Bernstein basis of degree {n}", geometry, dense(rows), _derivation)
