@@ -57,7 +57,16 @@ from .splines.ends import (
 )
 from .splines.knots import KnotVector, clamped_knots, uniform_knots
 
-FAMILIES = {"Bezier": bezier, "Hermite": hermite}
+FAMILIES = {
+    "Bezier": bezier,
+    "Hermite": hermite,
+    "monomial": monomial,
+    "Lagrange": lagrange,
+    "uniform B-spline": uniform_bspline,
+    "Catmull-Rom": catmull_rom,
+    "cardinal": cardinal,
+    "Kochanek-Bartels": kochanek_bartels,
+}
 """The spline families by name; the laws in the tests run over all of them."""
 
 __all__ = [

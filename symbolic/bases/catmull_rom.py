@@ -20,7 +20,7 @@ from ..polynomials import Coefficients, expression
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
 from .basis import Basis, Geometry
-from .constraints import derivative, value
+from .constraints import Condition, derivative, value
 
 _UNIFORM = tuple(sp.Integer(k) for k in (-1, 0, 1, 2))
 _POINTS = sp.symbols("P0:4")
@@ -143,7 +143,6 @@ def _derivation(basis: Basis, knots: tuple[sp.Expr, ...]) -> Derivation:
         knots = (-gaps[0], sp.S.Zero, gaps[1], gaps[1] + gaps[2])
         basis = _catmull_rom(knots)
     field, elements = common_field(knots)
-    curve = basis.curve([[p] for p in _POINTS])[0]
     return Derivation(
         title,
         (
@@ -151,9 +150,9 @@ def _derivation(basis: Basis, knots: tuple[sp.Expr, ...]) -> Derivation:
             Step(sp.MatMul(sp.ImmutableMatrix([basis.powers]), basis.matrix, evaluate=False),
                  sp.ImmutableMatrix([basis.functions]),
                  "the weights of the four points in the last one, collected by powers of t"),
-            Step(value(0).of(curve, basis.parameter), _POINTS[1], "the segment starts at P1"),
-            Step(value(1).of(curve, basis.parameter), _POINTS[2], "it ends at P2"),
-            *_tangent_steps(curve, knots),
+            Step(_condition(value(0), basis), sp.ImmutableMatrix([_POINTS[1]]), "it starts at P1"),
+            Step(_condition(value(1), basis), sp.ImmutableMatrix([_POINTS[2]]), "it ends at P2"),
+            *_tangent_steps(basis, knots),
             Step(sp.Add(*basis.functions, evaluate=False), sp.S.One,
                  "the weights sum to one, so the curve moves along with its control points"),
         ),
@@ -193,15 +192,22 @@ def _times(left: sp.Expr, right: sp.Expr) -> sp.Expr:
     return sp.Mul(left, right, evaluate=False)
 
 
-def _tangent_steps(curve: sp.Expr, knots: Sequence[sp.Expr]) -> list[Step]:
+def _condition(condition: Condition, basis: Basis) -> sp.MatMul:
+    """Return a condition's row times the matrix times the points: [1 1 1 1] M G is c(1)."""
+    row, points = sp.ImmutableMatrix([condition.row(3)]), sp.ImmutableMatrix(_POINTS)
+    return sp.MatMul(row, basis.matrix, points, evaluate=False)
+
+
+def _tangent_steps(basis: Basis, knots: Sequence[sp.Expr]) -> list[Step]:
     """Return the tangents by the points and gaps, and that equal gaps make them half a chord."""
     gaps = [b - a for a, b in pairwise(knots)]
     h = sp.Symbol("h")
     steps = []
     for at, equal in ((0, (_POINTS[2] - _POINTS[0]) / 2), (1, (_POINTS[3] - _POINTS[1]) / 2)):
         steps += [
-            Step(derivative(at).of(curve, PARAMETER), _tangent(at, gaps),
-                 "the divided differences before and after it, less the one across"),
+            Step(_condition(derivative(at), basis), sp.ImmutableMatrix([_tangent(at, gaps)]),
+                 f"the tangent at t = {at}: the divided differences before and after, less the one "
+                 "across"),
             Step(_tangent(at, [h, h, h]), equal,
                  "for equal gaps h: half the chord of the neighbours, the uniform Catmull-Rom"),
         ]  # fmt: skip

@@ -1,4 +1,4 @@
-"""Laws that hold for every family and degree; a new family joins by its line in the index."""
+"""Laws that hold for every family that owes them; a new family joins in `families.py`."""
 
 import pytest
 import sympy as sp
@@ -6,14 +6,28 @@ from hypothesis import given
 from hypothesis import strategies as st
 from sympy import Rational as R
 
-from symbolic import FAMILIES, basis_from, bezier, de_casteljau, hermite, prove, subdivide, value
+from symbolic import (
+    FAMILIES,
+    basis_from,
+    bezier,
+    de_casteljau,
+    hermite,
+    identify,
+    prove,
+    subdivide,
+    value,
+)
+from tests.symbolic.families import OWED, owing
 
-DEGREES = {"Bezier": (1, 2, 3, 4, 7, 12), "Hermite": (1, 3, 5, 7, 11)}
-BASES = [FAMILIES[name](n) for name in FAMILIES for n in DEGREES[name]]
 t = sp.Symbol("t")
-
 rationals = st.fractions(min_value=-5, max_value=5, max_denominator=16)
-every_basis = pytest.mark.parametrize("basis", BASES, ids=lambda basis: basis.name)
+
+
+def for_all_that_owe(law):
+    pairs = owing(law)
+    return pytest.mark.parametrize(
+        ("family", "basis"), pairs, ids=[basis.name for _, basis in pairs]
+    )
 
 
 def geometry_of(basis, dim=2):
@@ -21,22 +35,35 @@ def geometry_of(basis, dim=2):
     return [[sp.Symbol(f"{name}_{axis}") for axis in "xyz"[:dim]] for name in names]
 
 
-@every_basis
-def test_every_step_of_the_derivation_is_proved(basis):
+def at(curve, parameter):
+    return [c.subs(t, parameter) for c in curve]
+
+
+def test_every_family_says_what_it_owes():
+    assert OWED.keys() == FAMILIES.keys()
+    known = set().union(*(family.laws for family in OWED.values()))
+    assert all(owing(law) for law in known)
+    for family in OWED.values():
+        assert ("ends" in family.laws) == (family.ends is not None)
+        assert ("symmetry" in family.laws) == (family.reversed is not None)
+
+
+@for_all_that_owe("derivation")
+def test_every_step_of_the_derivation_is_proved(family, basis):
     assert basis.derivation.steps
     assert basis.derivation.is_proved
 
 
-@every_basis
-def test_point_functions_sum_to_one(basis):
+@for_all_that_owe("partition of unity")
+def test_point_functions_sum_to_one(family, basis):
     points = [f for f, g in zip(basis.functions, basis.geometry, strict=True) if g.kind == "point"]
     assert prove(sum(points), 1)
 
 
-@every_basis
-def test_affine_invariance(basis):
+@for_all_that_owe("affine invariance")
+def test_affine_invariance(family, basis):
     """Points move by A x + d and vectors by A x; the whole curve moves by A x + d."""
-    a, b, c, d, e, f = sp.symbols("a b c d e f")
+    a, b, c, d, e, f = 2, -1, 3, R(1, 2), sp.Symbol("e"), sp.Symbol("f")
     rows = geometry_of(basis)
     moved = []
     for (x, y), entry in zip(rows, basis.geometry, strict=True):
@@ -46,32 +73,60 @@ def test_affine_invariance(basis):
     assert prove(basis.curve(moved), [a * x + b * y + e, c * x + d * y + f])
 
 
-@every_basis
-def test_end_points_are_the_first_and_last_point(basis):
+@for_all_that_owe("ends")
+def test_the_curve_starts_and_ends_at_points_of_its_geometry(family, basis):
     rows = geometry_of(basis)
-    points = [row for row, g in zip(rows, basis.geometry, strict=True) if g.kind == "point"]
-    curve = sp.Matrix(basis.curve(rows))
-    assert prove(curve.subs(t, 0), sp.Matrix(points[0]))
-    assert prove(curve.subs(t, 1), sp.Matrix(points[-1]))
+    names = [entry.name for entry in basis.geometry]
+    curve = basis.curve(rows)
+    for parameter, name in enumerate(family.ends(basis)):
+        assert prove(at(curve, parameter), rows[names.index(name)])
 
 
-@every_basis
-def test_every_printed_convention_gives_the_same_curve(basis):
+@for_all_that_owe("symmetry")
+def test_the_reversed_geometry_gives_the_same_curve_backwards(family, basis):
+    rows = geometry_of(basis)
+    assert prove(basis.curve(family.reversed(rows)), at(basis.curve(rows), 1 - t))
+
+
+@for_all_that_owe("positivity")
+def test_no_weight_is_negative_between_the_ends(family, basis):
+    """A polynomial with coefficients >= 0 in the Bernstein basis is >= 0 on [0, 1]."""
+    assert all(entry >= 0 for entry in basis.to(bezier(basis.degree)))
+
+
+@for_all_that_owe("round trip")
+def test_conversion_to_bezier_and_back_is_the_identity(family, basis):
+    other = bezier(basis.degree)
+    there, back = basis.to(other), other.to(basis)
+    assert prove(there * back, sp.eye(basis.degree + 1))
+    rows = sp.Matrix(geometry_of(basis))
+    assert prove(other.curve(there * rows), basis.curve(rows))
+
+
+@for_all_that_owe("conventions")
+def test_every_printed_convention_gives_the_same_curve(family, basis):
     rows = sp.Matrix(geometry_of(basis))
     powers = sp.Matrix(basis.powers)
+    names = [entry.name for entry in basis.geometry][::-1]
+    other = rows[::-1, :]
     for order, column in (("descending", powers), ("ascending", powers[::-1, :])):
         row_form = column.T * basis.matrix_as(order, "TMG") * rows
-        column_form = rows.T * basis.matrix_as(order, "GMT") * column
+        column_form = other.T * basis.matrix_as(order, "GMT", names) * column
         assert prove(list(row_form), basis.curve(rows))
         assert prove(list(column_form), basis.curve(rows))
 
 
-@pytest.mark.parametrize("n", (1, 3, 5, 7))
-def test_conversion_there_and_back_is_the_identity(n):
-    there, back = hermite(n).to(bezier(n)), bezier(n).to(hermite(n))
-    assert there * back == sp.eye(n + 1)
-    rows = sp.Matrix(geometry_of(hermite(n)))
-    assert prove(bezier(n).curve(there * rows), hermite(n).curve(rows))
+@for_all_that_owe("identify")
+def test_the_matrix_tells_its_basis_in_every_convention(family, basis):
+    for powers, layout in (("descending", "TMG"), ("ascending", "GMT")):
+        matrix = basis.matrix_as(powers, layout)
+        found = identify(matrix)
+        assert all(prove(candidate.matrix, matrix) for candidate in found)
+        assert any(
+            (candidate.powers, candidate.layout) == (powers, layout)
+            and candidate.geometry == tuple(entry.name for entry in basis.geometry)
+            for candidate in found
+        )
 
 
 @pytest.mark.parametrize("n", (1, 3, 5, 7, 11))
@@ -99,9 +154,7 @@ def test_the_parts_of_a_subdivided_curve_run_along_it(n):
 
 
 @pytest.mark.parametrize("n", (1, 2, 3, 5))
-def test_symmetry_and_linear_precision(n):
-    rows = geometry_of(bezier(n))
-    assert prove(bezier(n).curve(rows[::-1]), list(sp.Matrix(bezier(n).curve(rows)).subs(t, 1 - t)))
+def test_linear_precision(n):
     assert prove(bezier(n).curve([[R(i, n)] for i in range(n + 1)]), [t])
 
 
