@@ -79,7 +79,7 @@ class BSpline:
         Examples
         --------
         >>> BSpline([0, 1, 2, 3], 1).to_piecewise(0)
-        Piecewise((t, (t >= 0) & (t < 1)), (2 - t, (t >= 1) & (t <= 2)), (0, True))
+        Piecewise((t, (0 <= t) & (t < 1)), (2 - t, (1 <= t) & (t <= 2)), (0, True))
         """
         if i is None:
             return tuple(cox_de_boor.piecewise(self.knots, pieces) for pieces in self.functions)
@@ -192,9 +192,10 @@ class BSpline:
         span = self.knots.spans[len(self.knots.spans) // 2]
         levels = self.triangle(span).levels
         steps = cox_de_boor.triangle_steps(levels)
-        last = [entry.polynomial for entry in levels[-1]]
-        whole = sp.Add(*last, evaluate=False)
-        steps.append(Step(whole, sp.S.One, "the functions on the span sum to one"))
+        if self.degree:
+            last = [entry.polynomial for entry in levels[-1]]
+            whole = sp.Add(*last, evaluate=False)
+            steps.append(Step(whole, sp.S.One, "the functions on the span sum to one"))
         for j in self.knots.spans[1:]:
             steps.extend(multiplicity.continuity_derivation(self.knots, self.knots.knots[j]).steps)
         return Derivation(f"B-splines of degree {self.degree} over {self._knots_in_words()}",

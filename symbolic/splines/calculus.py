@@ -155,4 +155,8 @@ def derivative_derivation(knots: KnotVector, span: Any) -> Derivation:
             Step(sp.Derivative(entry.polynomial, PARAMETER), right,
                  f"the derivative of {entry.name} from the functions of degree {p - 1}")
         )  # fmt: skip
-    return Derivation(f"Derivatives of the basis functions of degree {p}", tuple(steps))
+    return Derivation(
+        f"Derivatives of the basis functions of degree {p}",
+        tuple(steps),
+        "de Boor, A Practical Guide to Splines, chapter X",
+    )

@@ -104,4 +104,5 @@ def _derivation(basis: Basis, knots: KnotVector, span: int) -> Derivation:
             Step(sp.MatMul(basis.matrix, sp.ImmutableMatrix([1] * size), evaluate=False), constant,
                  "the functions sum to one: the curve moves along with its control points"),
         ),
+        "Qin, General matrix representations for B-splines, 2000",
     )  # fmt: skip

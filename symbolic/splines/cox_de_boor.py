@@ -86,7 +86,7 @@ def piecewise(knots: KnotVector, pieces: Pieces) -> sp.Piecewise:
         above = (start < t) if start == end_of_domain else (start <= t)
         below = (t <= end) if end in (end_of_domain, last) else (t < end)
         branches.append((polynomial, sp.And(above, below)))
-    return sp.Piecewise(*branches, (sp.S.Zero, True))
+    return sp.Piecewise(*branches, (sp.S.Zero, True), evaluate=False)  # they are disjoint already
 
 
 @dataclass(frozen=True)

@@ -8,10 +8,9 @@ from typing import Any
 import sympy as sp
 
 from ..exact import PARAMETER, Point, exact
-from ..polynomials import expression
 from ..proofs.derivation import Derivation, Step
 from .knots import KnotVector
-from .weights import control_symbols, power_rows, read_points
+from .weights import combined, control_symbols, power_rows, read_points
 
 Levels = tuple[tuple[Point, ...], ...]
 Labels = tuple[tuple[tuple[sp.Expr, ...], ...], ...]
@@ -129,26 +128,21 @@ def de_boor_derivation(knots: KnotVector, span: Any) -> Derivation:
         for i, (value,), label, name in zip(
             range(j - p + r, j + 1), levels[r], arguments[r], names[r], strict=True
         ):
-            written = _written_out(knots, j, r, knots.elements[i + 1 : i + p - r + 1], points)
+            written = _by_powers(knots, j, r, knots.elements[i + 1 : i + p - r + 1], points)
             said = ", ".join(map(str, label))
             steps.append(
                 Step(value, written,
                      f"{name} from two points of level {r - 1}: the blossom value f({said})")
             )  # fmt: skip
-    return Derivation(f"De Boor's algorithm on the span [{knots.knots[j]}, {knots.knots[j + 1]}]",
-                      tuple(steps))  # fmt: skip
+    where = f"[{knots.knots[j]}, {knots.knots[j + 1]}]"
+    return Derivation(f"De Boor's algorithm on the span {where}", tuple(steps),
+                      "de Boor 1972; Ramshaw, Blossoms are polar forms, 1989")  # fmt: skip
 
 
-def _written_out(
+def _by_powers(
     knots: KnotVector, span: int, r: int, fixed: Sequence[Any], points: Sequence[sp.Symbol]
 ) -> sp.Expr:
-    """Return f(t, ..., t, fixed) as a combination of control points, with r times t."""
-    field = knots.field
-    rows = power_rows(knots, span, r, field.zero, field.one, fixed)
-    columns = zip(*(weights for _, weights in rows), strict=True)
-    return sp.Add(
-        *(
-            expression(column, field, PARAMETER) * point
-            for column, point in zip(columns, points[span - knots.degree :], strict=False)
-        )
-    )
+    """Return f(t, ..., t, fixed), with r times t, as a sum of powers of t."""
+    rows = power_rows(knots, span, r, knots.field.zero, knots.field.one, fixed)
+    coefficients = combined(knots, rows, [(point,) for point in points])
+    return sp.Add(*(c * PARAMETER ** (r - k) for k, (c,) in enumerate(coefficients)))

@@ -114,10 +114,11 @@ def multiple_vertex_derivation() -> Derivation:
         "Multiple vertices of the uniform cubic B-spline",
         (
             Step(_at(double, 0, 0), (5 * p0 + p1) / 6, "a double end point: the start"),
-            Step(_at(double, 1, 0), (p1 - p0) / 2, "and its tangent, along the first leg"),
+            Step(_at(double, 1, 0), (p1 - p0) / 2, "the tangent there, along the first leg"),
             Step(triple, p0 + (p1 - p0) * t**3 / 6, "a triple end point: a straight segment"),
             *inside,
-            Step(_at(after, 1, 0), sp.S.Zero, "but the tangent vanishes, so it may turn"),
+            Step(sp.Derivative(after, t), (p2 - p1) * t**2 / 2,
+                 "the tangent vanishes at t = 0: a corner is possible"),
         ),
     )  # fmt: skip
 
@@ -135,15 +136,18 @@ def phantom_derivation() -> Derivation:
     start = _at(_uniform((free, p0, p1, p2)), 0, 0)
     first = 2 * p0 - p1
     curve = _uniform((first, p0, p1, p2))
+    bend = _at(_uniform((free, p0, p1, p2)), 2, 0)
     return Derivation(
         "Phantom vertices of the uniform cubic B-spline",
         (
-            Step(start, (free + 4 * p0 + p1) / 6, "where a curve with the first vertex V starts"),
+            Step(start, (free + 4 * p0 + p1) / 6, "the start of a curve with the first vertex V"),
             Step(sp.Subs((free + 4 * p0 + p1) / 6, free, first), p0,
-                 "it starts at P0 if the phantom vertex V is 2 P0 - P1"),
+                 "with the phantom vertex V = 2 P0 - P1 it starts at P0"),
             Step(_at(curve, 1, 0), p1 - p0, "the tangent is the first leg"),
-            Step(_at(curve, 2, 0), sp.S.Zero, "the second derivative vanishes"),
+            Step(bend, free - 2 * p0 + p1, "the second derivative there, with any V"),
+            Step(sp.Subs(free + p1, free, first), 2 * p0, "with this V it is V + P1 - 2 P0 = 0"),
         ),
+        "Bartels, Beatty, Barsky, An Introduction to Splines, 1987",
     )  # fmt: skip
 
 

@@ -145,12 +145,12 @@ def insertion_derivation(knots: KnotVector, t: Any) -> Derivation:
     for i in range(k - p + 1, min(k, knots.point_count - 1) + 1):
         blossom_value = _written(refined, oslo[i], points)
         arguments = ", ".join(map(str, refined.knots[i + 1 : i + p + 1]))
-        weighted = sp.Add(sp.Mul(u[i + p] - at, points[i - 1], evaluate=False),
-                          sp.Mul(at - u[i], points[i], evaluate=False), evaluate=False)  # fmt: skip
+        ratio = (at - u[i]) / (u[i + p] - u[i])
+        leg = sp.Mul(ratio, points[i] - points[i - 1], evaluate=False)
         steps.append(
-            Step(sp.Mul(weighted, 1 / (u[i + p] - u[i]), evaluate=False), blossom_value,
+            Step(sp.Add(points[i - 1], leg, evaluate=False), blossom_value,
                  f"the new point {i}: t = {at} divides [{u[i]}, {u[i + p]}]; it is the blossom "
-                 f"value f({arguments}) (Boehm 1980)")
+                 f"value f({arguments})")
         )  # fmt: skip
     new_points = [_written(refined, row, points) for row in oslo]
     for j in refined.spans:
@@ -160,7 +160,11 @@ def insertion_derivation(knots: KnotVector, t: Any) -> Derivation:
                 Step(_product(after, new_points), _product(before, points),
                      f"the same curve on [{refined.knots[j]}, {refined.knots[j + 1]}]")
             )  # fmt: skip
-    return Derivation(f"Insertion of the knot {at}", tuple(steps))
+    return Derivation(
+        f"Insertion of the knot {at}",
+        tuple(steps),
+        "Boehm, Inserting new knots into B-spline curves, 1980",
+    )
 
 
 def _written(knots: KnotVector, row: Row, points: Sequence[sp.Symbol]) -> sp.Expr:

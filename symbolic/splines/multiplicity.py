@@ -72,9 +72,8 @@ def continuity_derivation(knots: KnotVector, at: Any) -> Derivation:
 
     Examples
     --------
-    >>> continuity_derivation(KnotVector([0, 0, 0, 1, 1, 2, 2, 2], 2), 1)
-    The knot 1 of multiplicity 2 in degree 2: C^0
-    ...
+    >>> continuity_derivation(KnotVector([0, 0, 0, 1, 1, 2, 2, 2], 2), 1).title
+    'The knot 1 of multiplicity 2 in degree 2: C^0'
     """
     left, right = joint(knots, at)
     t, p, at = PARAMETER, knots.degree, knots.knots[right]
@@ -84,19 +83,23 @@ def continuity_derivation(knots: KnotVector, at: Any) -> Derivation:
     order = int(knots.continuity(at))
     steps = [
         Step(Condition(at, r).of(after, t), Condition(at, r).of(before, t),
-             f"the {_ordinal(r)} of both sides of {at}")
+             f"the same {_ordinal(r)} right and left of {at}")
         for r in range(order + 1)
     ]  # fmt: skip
+    difference = sp.Add(after, sp.Mul(-1, before, evaluate=False), evaluate=False)
     jump = jumps(knots, at)[order + 1, :]
-    first = Condition(at, order + 1)
-    difference = sp.Add(first.of(after, t), -first.of(before, t), evaluate=False)
     steps.append(
-        Step(difference, sp.Add(*(w * P for w, P in zip(jump, points, strict=True))),
+        Step(Condition(at, order + 1).of(difference, t),
+             sp.Add(*(w * P for w, P in zip(jump, points, strict=True))),
              f"the {_ordinal(order + 1)} jumps by a combination of control points that is not "
              "zero in general")
     )  # fmt: skip
     m = knots.multiplicity(at)
-    return Derivation(f"The knot {at} of multiplicity {m} in degree {p}: C^{order}", tuple(steps))
+    return Derivation(
+        f"The knot {at} of multiplicity {m} in degree {p}: C^{order}",
+        tuple(steps),
+        "de Boor, A Practical Guide to Splines, chapter IX",
+    )
 
 
 def _ordinal(order: int) -> str:

@@ -84,8 +84,17 @@ def test_S20_agrees_with_sympy():
     theirs = sp.bspline_basis_set(3, [0, 1, R(3, 2), 3, 4, 6, 7, 8], t)
     mine = BSpline([0, 1, R(3, 2), 3, 4, 6, 7, 8], 3).to_piecewise()
     for a, b in zip(mine, theirs, strict=True):
-        for at in (R(1, 2), 1, R(5, 4), 2, R(7, 2), 5, R(13, 2), R(15, 2)):
-            assert a.subs(t, at) == b.subs(t, at)
+        assert prove(a, b)
+        wrong = prove(a, b + sp.Piecewise((1, sp.Eq(t, 3)), (0, True)))
+        assert isinstance(wrong, Refuted) and list(wrong.witness.values()) == [3]
+
+
+def test_S25_the_functions_sum_to_one_on_the_domain_and_only_there():
+    spline = BSpline([0, 1, 2, 2, 3, 5, 6], 2)
+    inside = sp.And(spline.knots.domain[0] <= t, t <= spline.knots.domain[1])
+    total = sp.Piecewise((sum(spline.to_piecewise()), inside), (1, True))
+    assert prove(total, 1)
+    assert isinstance(prove(sum(spline.to_piecewise()), 1), Refuted)
 
 
 LINEAR = [
