@@ -62,10 +62,26 @@ def test_b05_b06_bernstein_bases(n, listed):
     assert prove(list(bernstein(n)), listed)
 
 
+PROPERTIES = {
+    "B07": "partition of unity",
+    "B08": "non-negativity",
+    "B09": "end points",
+    "B10": "pseudo-local maximum",
+    "B11": "symmetry",
+    "B12": "linear precision",
+    "B13": "affine invariance",
+    "B16 and B17": "derivatives from the scheme",
+}
+
+
+@pytest.mark.parametrize("vector", PROPERTIES)
 @pytest.mark.parametrize("n", [*DEGREES, 8])
-def test_b07_to_b14_b16_b17_properties_are_proved(n):
-    for derivation in bezier_properties(n).values():
-        assert derivation.is_proved, derivation.title
+def test_property_is_proved(vector, n):
+    assert bezier_properties(n)[PROPERTIES[vector]].is_proved
+
+
+def test_every_property_has_its_vector():
+    assert set(PROPERTIES.values()) == set(bezier_properties(2))
 
 
 def test_b08_weights_vanish_only_at_the_ends():
