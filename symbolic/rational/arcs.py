@@ -136,6 +136,7 @@ def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> D
             Step(left, r**2 * w**2, "numerators and denominator multiplied out"),
             Step(quotients, r**2, "divided by the squared denominator: the equation of the circle"),
         ),
+        "Piegl and Tiller, The NURBS Book, section 7.3",
     )
 
 

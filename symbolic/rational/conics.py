@@ -25,6 +25,9 @@ _KINDS: dict[int | None, Literal["ellipse", "parabola", "hyperbola"]] = {
 }  # fmt: skip
 
 
+_SOURCE = "Farin, Curves and Surfaces for CAGD, chapter 12; Lee 1987"
+
+
 @dataclass(frozen=True)
 class Conic:
     """Which conic a rational quadratic curve is a part of.
@@ -60,7 +63,7 @@ class Conic:
         """Why it is this conic, step by step."""
         steps = _degenerate(self) if self.kind in ("line", "point") else _proper(self)
         name = "circle" if self.is_circle else self.kind
-        return Derivation(f"Three points and their weights make a {name}", tuple(steps))
+        return Derivation(f"Three points and their weights make a {name}", tuple(steps), _SOURCE)
 
 
 def conic_type(points: Any, weights: Any) -> Conic:
@@ -134,7 +137,7 @@ def conic_through(start: Any, corner: Any, end: Any, point: Any) -> RationalBezi
 
     Notes
     -----
-    Farin, *Curves and Surfaces for CAGD*, section 12.5.
+    Farin, *Curves and Surfaces for CAGD*, chapter 12.
 
     Examples
     --------
@@ -210,7 +213,8 @@ def _proper(conic: Conic) -> list[Step]:
     ]  # fmt: skip
     if w1 != 0:
         steps.append(
-            Step(shares[1] ** 2, 4 * conic.shape_factor * shares[0] * shares[2],
+            Step(sp.Pow(shares[1], 2, evaluate=False),
+                 sp.Mul(4 * conic.shape_factor, shares[0], shares[2], evaluate=False),
                  "in barycentric coordinates of the control points: a quadratic equation")
         )  # fmt: skip
     if conic.is_circle and conic.center:

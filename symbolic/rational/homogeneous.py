@@ -58,8 +58,8 @@ def read_weighted(points: Any, weights: Any) -> tuple[tuple[Point, ...], Point]:
 
 def warn_of_hull(weights: Sequence[sp.Expr], stacklevel: int) -> None:
     """Warn unless all weights that are numbers have one sign, and none is zero."""
-    signs = {sign(weight) for weight in weights} - {None}
-    if signs > {0} or signs >= {1, -1}:
+    signs = {sign(weight) for weight in weights}
+    if 0 in signs or signs >= {1, -1}:
         what = "a weight is zero" if 0 in signs else "the weights have different signs"
         warnings.warn(
             f"{what}: the curve need not lie in the convex hull of its control points",

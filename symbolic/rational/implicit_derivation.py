@@ -39,7 +39,8 @@ def derive(
     if n <= _LARGEST_DETERMINANT:
         steps.append(_determinant_step(rows, equation, symbols))
     steps.append(_substitution(equation, symbols, parts))
-    return Derivation(f"From the parameter to the equation {equation} = 0", tuple(steps))
+    source = "Sederberg, Anderson and Goldman 1984; the matrix in Cayley's form"
+    return Derivation(f"From the parameter to the equation {equation} = 0", tuple(steps), source)
 
 
 def _coefficient(part: sp.Expr, k: int) -> sp.Expr:

@@ -152,7 +152,8 @@ class NURBS:
                      f"on [{start}, {end}]: sums of w_i p_i N_i over the sum of w_i N_i; the "
                      "B-spline with the points (w x, w y, ..., w), divided by its last coordinate")
             )  # fmt: skip
-        return Derivation("A NURBS curve as a projection", tuple(steps))
+        source = "Piegl and Tiller, The NURBS Book, chapter 4"
+        return Derivation("A NURBS curve as a projection", tuple(steps), source)
 
     def __repr__(self) -> str:
         return f"<NURBS of degree {self.degree}: {len(self.points)} control points>"

@@ -49,6 +49,7 @@ def equal_weights(n: int = 2) -> Derivation:
             Step(denominator, w, "the Bernstein polynomials sum to one"),
             Step(numerator / denominator, _sum(points, functions), "the weight w cancels"),
         ),
+        "Piegl and Tiller, The NURBS Book, section 1.4",
     )
 
 
@@ -68,13 +69,14 @@ def rational_de_casteljau(n: int = 2) -> Derivation:
         w0, w1, w = (_sum(weights[i:], bernstein(k)) for i, k in ((0, r - 1), (1, r - 1), (0, r)))
         h0, h1, h = (_sum(lifted[i:], bernstein(k)) for i, k in ((0, r - 1), (1, r - 1), (0, r)))
         mean = (1 - t) * w0 / w * (h0 / w0) + t * w1 / w * (h1 / w1)
-        steps += [
-            Step(sp.Add(sp.Mul(1 - t, w0, evaluate=False), sp.Mul(t, w1, evaluate=False)), w,
-                 f"level {r}: the weight, by de Casteljau's algorithm for numbers"),
+        if r > 1:
+            blend = sp.Add(sp.Mul(1 - t, w0, evaluate=False), sp.Mul(t, w1, evaluate=False))
+            steps.append(Step(blend, w, f"level {r}: the weight, by de Casteljau for numbers"))
+        steps.append(
             Step(mean, h / w, f"level {r}: the mean of two points of level {r - 1}; its "
-                 "coefficients (1 - t) w_0/w and t w_1/w sum to one"),
-        ]  # fmt: skip
-    return Derivation("The rational de Casteljau algorithm", tuple(steps))
+                 "coefficients (1 - t) w_0/w and t w_1/w sum to one")
+        )  # fmt: skip
+    return Derivation("The rational de Casteljau algorithm", tuple(steps), "Farin 1983")
 
 
 def weight_attraction(n: int = 2, i: int = 1) -> Derivation:
@@ -108,6 +110,7 @@ def weight_attraction(n: int = 2, i: int = 1) -> Derivation:
             Step(more - c, h * b / (below + h * b) * (p - c),
                  f"any change h of {name} moves the point along its line to {point}"),
         ),
+        "Piegl and Tiller, The NURBS Book, chapter 4",
     )  # fmt: skip
 
 
@@ -133,7 +136,8 @@ def reparametrization(n: int = 2) -> Derivation:
              f"the denominator has the weights c^i w_i, over (1 - t + c t)^{n}; so has the "
              "numerator, and the factor cancels")
     )  # fmt: skip
-    return Derivation("Weights in geometric progression do not change the curve", tuple(steps))
+    title = "Weights in geometric progression do not change the curve"
+    return Derivation(title, tuple(steps), "Farin, Curves and Surfaces for CAGD, chapter 13")
 
 
 def projective_invariance(n: int = 2) -> Derivation:
@@ -163,6 +167,7 @@ def projective_invariance(n: int = 2) -> Derivation:
             Step([image[0] / image[2], image[1] / image[2]], mapped,
                  "the image of (X, Y, W), projected, is the projective map of (X/W, Y/W)"),
         ),
+        "Farin, Curves and Surfaces for CAGD, chapter 13",
     )  # fmt: skip
 
 
@@ -186,7 +191,8 @@ def no_polynomial_circle(n: int = 3) -> Derivation:
         Step(sp.Subs(_polynomial(a, 1), a[1], 0), a[0],
              "x is constant, and so is y: the curve is one point, and no arc")
     )  # fmt: skip
-    return Derivation(f"No polynomial curve of degree {n} is a circular arc", tuple(steps))
+    title = f"No polynomial curve of degree {n} is a circular arc"
+    return Derivation(title, tuple(steps), "Piegl and Tiller, The NURBS Book, section 1.4")
 
 
 def polynomial_conics(n: int = 2) -> Derivation:
@@ -218,6 +224,7 @@ def polynomial_conics(n: int = 2) -> Derivation:
                    "which is not 0; in 1 it is. So the degrees are 0, and the curve a point")
               for m in range(n + 1)),
         ),
+        "Piegl and Tiller, The NURBS Book, section 1.4",
     )  # fmt: skip
 
 

@@ -60,6 +60,19 @@ def test_sylvesters_resultant_is_a_multiple(curve):
     assert rest.is_zero
 
 
+@settings(max_examples=15, deadline=None)
+@given(curves(highest=3), st.tuples(small, small, small), st.tuples(small, small, small))
+def test_a_parametrization_put_into_another_is_traced_more_often(curve, above, below):
+    up, down = (sp.Poly(c, t) for c in (above, below))
+    ratio = sp.cancel(up.as_expr() / down.as_expr()) if not down.is_zero else sp.S.Zero
+    assume(ratio.has(t))
+    degree = max(sp.degree(part, t) for part in sp.fraction(ratio))
+    once = implicitize(curve)
+    again = implicitize([c.subs(t, ratio) for c in curve.curve()])
+    assert again.polynomial == once.polynomial
+    assert again.tracing_number == degree * once.tracing_number
+
+
 KNOWN = {
     "parabola": ([t, t**2], x**2 - y, 1),
     "the circle, I23": ([(1 - t**2) / (1 + t**2), 2 * t / (1 + t**2)], x**2 + y**2 - 1, 1),
@@ -129,6 +142,11 @@ def test_inversion():
     tilted = implicitize([sp.sqrt(2) * t, t**3])
     assert tilted.inversion([sp.sqrt(2), 1]) == (1,)
     assert tilted.inversion([2, 2 * sp.sqrt(2)]) == (sp.sqrt(2),)
+    assert implicitize([5, t**2]).inversion([5, 4]) == (-2, 2)
+    quintic = implicitize([t**5 - t, t**5 + t])
+    assert [root.is_real for root in quintic.inversion([1, 3])] == []
+    (root,) = implicitize([t**3, 2 * t**3]).inversion([2, 4])
+    assert prove(root**3, 2)
     reached_twice = implicitize([t / (1 + t**2), t**2 / (1 + t**4)])
     assert reached_twice.inversion([0, 0]) == (0, sp.oo)
 

@@ -3,10 +3,12 @@
 import pickle
 import warnings
 
+import numpy as np
 import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy import interpolate
 from sympy import Rational as R
 
 from symbolic import (
@@ -223,6 +225,17 @@ def test_a_nurbs_curve_is_a_projection():
     for piece, lifted in zip(curve.curve(), spline, strict=True):
         *numerators, w = lifted.coordinates
         assert prove(piece.coordinates, [x / w for x in numerators])
+
+
+def test_scipy_gives_the_same_points():
+    weights = [1, 2, R(1, 2), 3, 1, 1]
+    curve = NURBS(KNOTS, 2, POINTS, weights)
+    rows = np.array(curve.homogeneous, dtype=float)
+    spline = interpolate.BSpline(np.array(KNOTS, dtype=float), rows, 2)
+    for place in (R(0), R(1, 3), R(1), R(7, 4), R(2), R(5, 2), R(3)):
+        *numerators, w = spline(float(place))
+        (point,) = curve.de_boor(place).points[-1]
+        assert np.allclose([float(c) for c in point], np.array(numerators) / w, atol=1e-12)
 
 
 def test_equal_weights_give_the_b_spline():
