@@ -93,13 +93,17 @@ def power_rows(
 def combined(knots: KnotVector, rows: Sequence[Row], points: Sequence[Point]) -> tuple[Point, ...]:
     """Return one combination of the points for every row of weights.
 
-    Numbers are combined in a field; points with symbols stay unexpanded.
+    Numbers are combined in a field; points with symbols, or with numbers such as pi of which no
+    field is known, stay unexpanded.
     """
     coordinates = [c for point in points for c in point]
     weights = [w for _, row in rows for w in row]
-    if any(c.free_symbols for c in coordinates):
+    known = None
+    if not any(c.free_symbols for c in coordinates):
+        known = _numbers([*knots.knots, *coordinates])
+    if known is None:
         return tuple(_symbolic(knots.field, row, points) for row in rows)
-    field, elements = common_field([*knots.knots, *coordinates])
+    field, elements = known
     if field != knots.field:
         weights = [field.from_sympy(knots.field.to_sympy(w)) for w in weights]
     dim, values = len(points[0]), elements[len(knots.knots) :]
@@ -114,6 +118,13 @@ def combined(knots: KnotVector, rows: Sequence[Row], points: Sequence[Point]) ->
                     sums[axis] += weight * values[i * dim + axis]
         results.append(tuple(map(field.to_sympy, sums)))
     return tuple(results)
+
+
+def _numbers(expressions: Sequence[sp.Expr]) -> tuple[Domain, list[Any]] | None:
+    try:
+        return common_field(expressions)
+    except BadValue:
+        return None
 
 
 def _symbolic(field: Domain, row: Row, points: Sequence[Point]) -> Point:

@@ -24,6 +24,8 @@ from symbolic import (
     wrap_points,
 )
 from symbolic.dag import postorder
+from symbolic.splines import weights
+from symbolic.splines.conversion import bezier_rows
 
 t = sp.Symbol("t")
 few = settings(max_examples=25)
@@ -251,6 +253,31 @@ def test_symbolic_knots_of_several_multiplicities():
     finer, new = spline.insert(points, b)
     assert finer.refine(new, [a])[0].knots.multiplicity(a) == 3
     assert prove(spline.refine(points, [b])[1], new)
+
+
+@pytest.mark.parametrize(("knots", "degree"), [
+    ("00aab111", 2), ("aaaabcdddd", 3), ("000abc999", 2), ("01abc89", 1),
+])  # fmt: skip
+def test_factored_quotients_are_what_the_field_of_fractions_says(knots, degree, monkeypatch):
+    """Rational functions as knots, too, for which the quotients are not used."""
+    a, b = sp.symbols("a b")
+    values = {"a": a / 3, "b": b / 7 + 1, "c": (b + 9) / 2, "d": 3 * b + 7}
+    listed = [values.get(k, sp.S(int(k)) if k.isdigit() else None) for k in knots]
+    spline = KnotVector(listed, degree)
+    for j in spline.all_spans:
+        rows = [bezier_rows(spline, j)]
+        with monkeypatch.context() as patch:
+            patch.setattr(weights, "as_polynomials", lambda *_: None)
+            rows.append(bezier_rows(spline, j))
+        for (_, mine), (_, theirs) in zip(*rows, strict=True):
+            for i, (x, y) in enumerate(zip(mine, theirs, strict=True), j - degree):
+                assert x == y or not 0 <= i < spline.point_count
+
+
+def test_numbers_without_a_field_are_points_too():
+    """Such as pi: they stay as they are written."""
+    curve = BSpline([0, 0, 1, 1], 1).curve([[sp.pi], [sp.sin(1)]])
+    assert prove(curve[0].coordinates[0], sp.pi * (1 - t) + sp.sin(1) * t)
 
 
 def test_radicals_as_knots_and_points():
