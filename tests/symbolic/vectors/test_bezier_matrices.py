@@ -1,41 +1,18 @@
-"""Exact vectors of the university course, by their ids; misprinted ones are refuted as printed."""
+"""Exact vectors A05-B34 of the university course: Bezier curves; misprints are refuted."""
 
 import pytest
 import sympy as sp
-from sympy import Matrix, symbols
 from sympy import Rational as R
+from sympy import symbols
 
-from symbolic import (
-    Refuted,
-    basis_from,
-    bernstein,
-    bezier,
-    de_casteljau,
-    derivative,
-    hermite,
-    prove,
-    subdivide,
-    value,
-)
+from symbolic import bernstein, bezier, de_casteljau, prove, subdivide
+from tests.symbolic.vectors.tables import assert_proved, assert_refuted, column
 
 t, u = symbols("t u")
 P0, P1, P2, P3 = P = symbols("P0:4")
 HALF = R(1, 2)
 
 BEZIER_TMG = [[-1, 3, -3, 1], [3, -6, 3, 0], [-3, 3, 0, 0], [1, 0, 0, 0]]
-HERMITE_TMG = [[2, -2, 1, 1], [-3, 3, -2, -1], [0, 0, 1, 0], [1, 0, 0, 0]]
-HERMITE_GMT = [[2, -3, 0, 1], [-2, 3, 0, 0], [1, -2, 1, 0], [1, -1, 0, 0]]
-HERMITE_FUNCTIONS = [
-    2 * t**3 - 3 * t**2 + 1,
-    -2 * t**3 + 3 * t**2,
-    t**3 - 2 * t**2 + t,
-    t**3 - t**2,
-]
-MIDPOINT = [value(0), value(HALF), derivative(HALF), value(1)]
-
-
-def column(points):
-    return [[p] for p in points]
 
 
 def cubic():
@@ -80,38 +57,6 @@ EQUALITIES = {
         bezier(3).functions,
         [-t**3 + 3*t**2 - 3*t + 1, 3*(t**3 - 2*t**2 + t), -3*t**3 + 3*t**2, t**3]),
     "B34 maximum of an inner weight": (bernstein(3)[1].subs(t, R(1, 3)), R(4, 9)),
-    "H02 constraint rows": (
-        [condition.row(3) for condition in MIDPOINT],
-        [[0, 0, 0, 1], [R(1, 8), R(1, 4), HALF, 1], [R(3, 4), 1, 1, 0], [1, 1, 1, 1]]),
-    "H03 mid-point cubic matrix": (
-        basis_from(MIDPOINT).matrix,
-        [[-4, 0, -4, 4], [8, -4, 6, -4], [-5, 4, -2, 1], [1, 0, 0, 0]]),
-    "H04 mid-point cubic functions": (
-        basis_from(MIDPOINT).functions,
-        [-4*t**3 + 8*t**2 - 5*t + 1, -4*t**2 + 4*t, -4*t**3 + 6*t**2 - 2*t, 4*t**3 - 4*t**2 + t]),
-    "H07 Hermite constraints, column form": (
-        Matrix([c.row(3) for c in (value(0), value(1), derivative(0), derivative(1))]).T,
-        [[0, 1, 0, 3], [0, 1, 0, 2], [0, 1, 1, 1], [1, 1, 0, 0]]),
-    "H08 Hermite matrix, column form": (hermite().matrix_as(layout="GMT"), HERMITE_GMT),
-    "H09 Hermite matrix, row form": (hermite().matrix, HERMITE_TMG),
-    "H11 Hermite functions": (hermite().functions, HERMITE_FUNCTIONS),
-    "H12 minimum of the last function": (hermite().functions[3].subs(t, R(2, 3)), -R(4, 27)),
-    "H12 the point weights sum to one": (hermite().functions[0] + hermite().functions[1], 1),
-    "H13 worked example": (
-        hermite().curve([[1, 2, 1], [4, 5, 4], [1, 1, 1], [6, 6, 6]]),
-        [t**3 + t**2 + t + 1, t**3 + t**2 + t + 2, t**3 + t**2 + t + 1]),
-    "H14 the other order of the geometry": (
-        basis_from([value(0), derivative(0), derivative(1), value(1)]).functions,
-        [HERMITE_FUNCTIONS[i] for i in (0, 2, 3, 1)]),
-    "H16 Bezier to Hermite, row form": (
-        bezier(3).to(hermite()), [[1, 0, 0, 0], [0, 0, 0, 1], [-3, 3, 0, 0], [0, 0, -3, 3]]),
-    "H17 inner Bezier points from tangents": (
-        hermite().to(bezier(3)), [[1, 0, 0, 0], [1, 0, R(1, 3), 0], [0, 1, 0, -R(1, 3)],
-                                  [0, 1, 0, 0]]),
-    "H18 Bezier to Hermite, column form": (
-        bezier(3).to(hermite()).T, [[1, 0, -3, 0], [0, 0, 3, 0], [0, 0, 0, -3], [0, 1, 0, 3]]),
-    "H19 product of H18 and H08": (
-        bezier(3).to(hermite()).T * hermite().matrix_as(layout="GMT"), BEZIER_TMG),
 }  # fmt: skip
 
 MISPRINTS = {
@@ -122,27 +67,17 @@ MISPRINTS = {
     "B26 a wrong second row": (
         bezier(3).matrix_as(layout="GMT"),
         [[-1, 3, -3, 1], [-3, -3, 3, 0], [-3, 3, 0, 0], [1, 0, 0, 0]]),
-    "H04 1 for u": (basis_from(MIDPOINT).functions[3], 4*t**3 - 4*t**2 + 1),
-    "H08 a lost minus sign": (
-        hermite().matrix_as(layout="GMT"),
-        [[2, -3, 0, 1], [-2, 3, 0, 0], [1, -2, 1, 0], [1, 1, 0, 0]]),
-    "H18 merged rows": (
-        bezier(3).to(hermite()).T, [[1, 0, -3, 0], [0, 0, 0, 0], [0, -3, 0, 0], [0, 0, 0, 0]]),
 }  # fmt: skip
 
 
 @pytest.mark.parametrize("name", EQUALITIES)
 def test_vector_is_proved(name):
-    ours, printed = EQUALITIES[name]
-    assert prove(ours, printed)
+    assert_proved(*EQUALITIES[name])
 
 
 @pytest.mark.parametrize("name", MISPRINTS)
 def test_misprint_is_refuted_with_a_witness(name):
-    ours, printed = MISPRINTS[name]
-    verdict = prove(ours, printed)
-    assert isinstance(verdict, Refuted)
-    assert verdict.left != verdict.right
+    assert_refuted(*MISPRINTS[name])
 
 
 @pytest.mark.parametrize("n", range(1, 7))
