@@ -142,6 +142,17 @@ def _sum_of_products(
     return folded(add, terms)
 
 
+def differentiated(element: Any, position: int) -> Any:
+    """Return the derivative by one generator, of a quotient by the quotient rule."""
+    numer, *denom = parts(element)
+    generator = numer.ring.gens[position]
+    if not denom:
+        return numer.diff(generator)
+    left, right = numer.diff(generator), denom[0].diff(generator)
+    top = folded(mul, [left, denom[0]]) - folded(mul, [numer, right])
+    return divided(top, power(denom[0], 2, {}))
+
+
 def _one(element: Any) -> Any:
     return element.numer.ring.one if hasattr(element, "numer") else element.ring.one
 

@@ -21,9 +21,11 @@ from ..dag import postorder
 from ..fields import operands
 from ..radicals import is_radical, plain_roots, prime_roots
 from .angles import in_base_angles
-from .elements import composed, divided, folded, plain, power, reduced
+from .elements import composed, differentiated, divided, folded, plain, power, reduced
 from .generators import Generators, NoNormalForm, is_root
 from .side import is_operator
+
+HIGHEST_ORDER = 32  # of derivatives of quotients
 
 
 class NormalForms:
@@ -169,10 +171,12 @@ class NormalForms:
     def _derivative(self, node: sp.Derivative, element: Any) -> Any:
         for variable, order in node.variable_count:
             position = self.generators.position.get(variable)
+            if position is None:
+                return self._ring.zero
+            if order > HIGHEST_ORDER and hasattr(element, "numer"):
+                raise NoNormalForm(f"the derivative of order {order} of a quotient is too long")
             for _ in range(int(order)):
-                element = (
-                    self._ring.zero if position is None else element.diff(self._ring.gens[position])
-                )
+                element = differentiated(element, position)
         return element
 
     def _substituted(self, node: sp.Subs, element: Any, points: Sequence[Any]) -> Any:
