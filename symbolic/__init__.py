@@ -55,7 +55,8 @@ from .splines.ends import (
     repeat_ends,
     wrap_points,
 )
-from .splines.knots import KnotVector, clamped_knots, uniform_knots
+from .splines.knots import KnotVector
+from .splines.standard_knots import clamped_knots, uniform_knots
 
 FAMILIES = {
     "Bezier": bezier,

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -10,10 +9,11 @@ from typing import Any
 import sympy as sp
 from sympy.polys.domains.domain import Domain
 
-from ..errors import BadType, BadValue, OutsideDomain, shown
-from ..exact import PARAMETER, as_list, by_name, exact, whole_number
+from ..errors import BadValue, OutsideDomain, shown
+from ..exact import by_name, exact, whole_number
 from ..fields import common_field
 from ..signs import sign
+from .knot_order import in_order, read_knots
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -55,9 +55,9 @@ class KnotVector:
         p = whole_number(degree)
         if p is None or p < 0:
             raise BadValue("a degree 0, 1, 2, ...", shown(degree), "The order is degree + 1.")
-        read = _read(knots, p)
+        read = read_knots(knots, p)
         object.__setattr__(self, "degree", p)
-        object.__setattr__(self, "knots", _in_order(read))
+        object.__setattr__(self, "knots", in_order(read))
         self._refuse_multiplicity()
         if self.knots[p] == self.knots[len(read) - p - 1]:
             raise BadValue(
@@ -271,116 +271,3 @@ class KnotVector:
 
     def _repr_latex_(self) -> str:
         return rf"$\displaystyle \mathbf u = {sp.latex(sp.Tuple(*self.knots))}$"
-
-
-def _read(knots: Any, degree: int) -> tuple[sp.Expr, ...]:
-    listed = as_list(knots)
-    if listed is None:
-        raise BadType("a list of knots", shown(knots), "Write [0, 0, 1, 2, 2].")
-    read = tuple(by_name(exact(knot)) for knot in listed)
-    if len(read) < 2 * degree + 2:
-        raise BadValue(
-            f"at least {2 * degree + 2} knots for degree {degree}",
-            f"{len(read)}",
-            "There are as many knots as control points, and degree + 1 more.",
-        )
-    if any(PARAMETER in knot.free_symbols for knot in read):
-        raise BadValue(
-            f"knots without the parameter {PARAMETER}",
-            shown(list(read)),
-            "Call it by another name.",
-        )
-    return read
-
-
-def _in_order(knots: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
-    """Return the knots, equal ones as the same expression, or say where they decrease."""
-    field, elements = common_field(knots)
-    ordered = list(knots)
-    for j in range(1, len(knots)):
-        # Numbers are in order if neighbours are; symbols between them can hide a decrease.
-        for i in range(j - 1, -1, -1) if field.is_FractionField else (j - 1,):
-            side = _sign_in(field, elements[j] - elements[i])
-            if side == 0:
-                ordered[j] = ordered[i]
-            if side == -1 or (side == 0 and elements[j - 1] != elements[j]):
-                raise BadValue(
-                    "knots that do not decrease",
-                    f"u_{j} = {knots[j]} after u_{j - 1} = {knots[j - 1]}"
-                    if i == j - 1 or side == 0
-                    else f"u_{j} = {knots[j]} after u_{i} = {knots[i]}",
-                    "Sort them.",
-                )
-    return tuple(ordered)
-
-
-def _sign_in(field: Domain, difference: Any) -> int | None:
-    if field is sp.QQ or field == sp.QQ:
-        return (difference > 0) - (difference < 0)
-    if not difference:
-        return 0
-    number = field.to_sympy(difference)
-    if number.free_symbols:
-        return None
-    side = sign(number)
-    if side is None:
-        raise BadValue("real knots", f"a difference of {number}", "Knots lie on the real line.")
-    return side
-
-
-def uniform_knots(point_count: int, degree: int) -> KnotVector:
-    """Return the knots 0, 1, 2, ... for so many control points.
-
-    Examples
-    --------
-    >>> uniform_knots(4, 3).knots
-    (0, 1, 2, 3, 4, 5, 6, 7)
-    """
-    count, p = _sizes(point_count, degree)
-    return KnotVector(range(count + p + 1), p)
-
-
-def clamped_knots(point_count: int, degree: int, interior: Any = None) -> KnotVector:
-    """Return knots whose first and last are repeated degree + 1 times.
-
-    The curve starts at its first control point and ends at its last. Without interior knots these
-    are 1, 2, ... between 0 and the number of spans; degree + 1 points give Bezier curves on [0, 1].
-
-    Parameters
-    ----------
-    point_count, degree : int
-    interior : list of knots, optional
-        The point_count - degree - 1 knots strictly inside (0, 1).
-
-    Raises
-    ------
-    BadValue
-        If there are fewer points than degree + 1, or another number of interior knots.
-
-    Examples
-    --------
-    >>> clamped_knots(4, 3).knots, clamped_knots(5, 2).knots
-    ((0, 0, 0, 0, 1, 1, 1, 1), (0, 0, 0, 1, 2, 3, 3, 3))
-    """
-    count, p = _sizes(point_count, degree)
-    inside = count - p - 1
-    given = list(range(1, inside + 1)) if interior is None else as_list(interior)
-    if given is None or len(given) != inside:
-        raise BadValue(
-            f"{inside} interior knots for {count} points of degree {p}",
-            shown(interior),
-            "Every interior knot adds one control point.",
-        )
-    end = inside + 1 if interior is None else 1
-    return KnotVector([0] * (p + 1) + given + [end] * (p + 1), p)
-
-
-def _sizes(point_count: Any, degree: Any) -> tuple[int, int]:
-    count, p = whole_number(point_count), whole_number(degree)
-    if p is None or p < 0:
-        raise BadValue("a degree 0, 1, 2, ...", shown(degree), "The order is degree + 1.")
-    if count is None or count < p + 1:
-        raise BadValue(
-            f"at least {p + 1} control points for degree {p}", shown(point_count), "Add points."
-        )
-    return count, p
