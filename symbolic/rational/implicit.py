@@ -24,6 +24,7 @@ from .common_denominator import over_one_denominator
 from .homogeneous import decidable_field
 from .implicit_derivation import derive
 
+HIGHEST_DEGREE = 16  # a few seconds
 _X, _Y = sp.symbols("x y")
 
 
@@ -136,6 +137,12 @@ def implicitize(curve: Any, x: sp.Symbol = _X, y: sp.Symbol = _Y) -> ImplicitCur
     n = max(map(len, forms)) - 1
     if n < 1:
         raise BadValue("a curve", "one point", "Its coordinates should contain t.")
+    if n > HIGHEST_DEGREE:
+        raise BadValue(
+            f"a curve of degree {HIGHEST_DEGREE} or less",
+            f"degree {n}",
+            "Beyond that the equation has hundreds of terms; reduce the degree first.",
+        )
     if {x, y} & {s for p in forms for c in p for s in domain.to_sympy(c).free_symbols}:
         raise BadValue(
             f"a curve without the symbols {x} and {y}",

@@ -1,4 +1,4 @@
-"""What weights do and what only they can do, as derivations for any given degree."""
+"""What weights do, as derivations for any given degree."""
 
 from __future__ import annotations
 
@@ -11,6 +11,7 @@ from ..bases.bezier import bernstein
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, whole_number
 from ..proofs.derivation import Derivation, Step
+from .without_weights import no_polynomial_circle, polynomial_conics
 
 t = PARAMETER
 
@@ -31,7 +32,10 @@ def rational_properties(n: int) -> dict[str, Derivation]:
     >>> all(derivation.is_proved for derivation in properties.values())
     True
     """
-    return {name: derive(_degree(n)) for name, derive in PROPERTIES.items()}
+    degree = whole_number(n)
+    if degree is None or degree < 1:
+        raise BadValue("a degree 1, 2, 3, ...", shown(n), "Two control points are the fewest.")
+    return {name: derive(degree) for name, derive in PROPERTIES.items()}
 
 
 def equal_weights(n: int = 2) -> Derivation:
@@ -40,7 +44,7 @@ def equal_weights(n: int = 2) -> Derivation:
     >>> equal_weights(3).is_proved
     True
     """
-    functions, points, w = bernstein(_degree(n)), _points(n), sp.Symbol("w")
+    functions, points, w = bernstein(n), _points(n), sp.Symbol("w")
     denominator = sp.Add(*(w * b for b in functions), evaluate=False)
     numerator = sp.Add(*(w * p * b for p, b in zip(points, functions, strict=True)))
     return Derivation(
@@ -88,7 +92,7 @@ def weight_attraction(n: int = 2, i: int = 1) -> Derivation:
     >>> weight_attraction(2, 1).is_proved
     True
     """
-    functions, points, weights = bernstein(_degree(n)), _points(n), _weights(n)
+    functions, points, weights = bernstein(n), _points(n), _weights(n)
     place = whole_number(i)
     if place is None or not 0 <= place <= n:
         raise BadValue(f"the index of a control point, 0 to {n}", shown(i), "Choose one of these.")
@@ -122,7 +126,7 @@ def reparametrization(n: int = 2) -> Derivation:
     >>> reparametrization(2).is_proved
     True
     """
-    functions, c = bernstein(_degree(n)), sp.Symbol("c")
+    functions, c = bernstein(n), sp.Symbol("c")
     moved = c * t / (1 - t + c * t)
     factor = (1 - t + c * t) ** n
     steps = [
@@ -148,7 +152,7 @@ def projective_invariance(n: int = 2) -> Derivation:
     >>> projective_invariance(2).is_proved
     True
     """
-    functions = sp.ImmutableMatrix([bernstein(_degree(n))])
+    functions = sp.ImmutableMatrix([bernstein(n)])
     names = [f"{letter}{i}" for i in range(n + 1) for letter in ("X", "Y", "w")]
     rows = sp.ImmutableMatrix(n + 1, 3, list(map(sp.Symbol, names)))
     m = sp.ImmutableMatrix(3, 3, [sp.Symbol(f"m{i}{j}") for i in range(3) for j in range(3)])
@@ -171,63 +175,6 @@ def projective_invariance(n: int = 2) -> Derivation:
     )  # fmt: skip
 
 
-def no_polynomial_circle(n: int = 3) -> Derivation:
-    """Return the derivation that no polynomial curve of degree n runs on a circle.
-
-    x(t)^2 + y(t)^2 = 1 with real coefficients makes the leading ones zero, one after the other.
-
-    >>> no_polynomial_circle(2).is_proved
-    True
-    """
-    a, b = sp.symbols(f"a0:{_degree(n) + 1}"), sp.symbols(f"b0:{n + 1}")
-    steps = [
-        Step(_leading(_polynomial(a, k) ** 2 + _polynomial(b, k) ** 2, 2 * k),
-             a[k] ** 2 + b[k] ** 2,
-             f"the coefficient of t^{2 * k} in x^2 + y^2. In 1 it is 0; the sum of two real "
-             f"squares is 0 only for a{k} = b{k} = 0")
-        for k in range(n, 0, -1)
-    ]  # fmt: skip
-    steps.append(
-        Step(sp.Subs(_polynomial(a, 1), a[1], 0), a[0],
-             "x is constant, and so is y: the curve is one point, and no arc")
-    )  # fmt: skip
-    title = f"No polynomial curve of degree {n} is a circular arc"
-    return Derivation(title, tuple(steps), "Piegl and Tiller, The NURBS Book, section 1.4")
-
-
-def polynomial_conics(n: int = 2) -> Derivation:
-    """Return the derivation which conics are polynomial curves: the parabola, and no other.
-
-    Books that count the parabola among those that need weights are wrong: y = x^2 is the curve
-    with the control points (0, 0), (1/2, 0), (1, 1).
-
-    >>> polynomial_conics().is_proved
-    True
-    """
-    a, b = sp.symbols(f"a0:{_degree(n) + 1}"), sp.symbols(f"b0:{n + 1}")
-    x, y, r, s = sp.symbols("x y r s")
-    functions = bernstein(2)
-    half = sp.Rational(1, 2)
-    return Derivation(
-        "Which conics are polynomial curves",
-        (
-            Step(functions[2], sp.Pow(half * functions[1] + functions[2], 2),
-                 "the parabola is one: y = x^2 for the control points (0, 0), (1/2, 0), (1, 1)"),
-            Step(_leading((_polynomial(a, n) / r) ** 2 + (_polynomial(b, n) / s) ** 2, 2 * n),
-                 (a[n] / r) ** 2 + (b[n] / s) ** 2,
-                 f"the ellipse (x/r)^2 + (y/s)^2 = 1 of real half-axes is none: the coefficient of "
-                 f"t^{2 * n} would have to be 0, so a{n} = b{n} = 0, down to constants"),
-            Step((x / r) ** 2 - (y / s) ** 2, (x / r - y / s) * (x / r + y / s),
-                 "the hyperbola is none: two polynomials with the product 1"),
-            *(Step(_leading(_polynomial(a, n) * _polynomial(b, m), n + m), a[n] * b[m],
-                   f"factors of degrees {n} and {m} have the coefficient a{n} b{m} of t^{n + m}, "
-                   "which is not 0; in 1 it is. So the degrees are 0, and the curve a point")
-              for m in range(n + 1)),
-        ),
-        "Piegl and Tiller, The NURBS Book, section 1.4",
-    )  # fmt: skip
-
-
 PROPERTIES: dict[str, Callable[[int], Derivation]] = {
     "equal weights": equal_weights,
     "rational de Casteljau": rational_de_casteljau,
@@ -240,15 +187,6 @@ PROPERTIES: dict[str, Callable[[int], Derivation]] = {
 """What rational curves of every degree satisfy, and polynomial ones cannot."""
 
 
-def _leading(polynomial: sp.Expr, k: int) -> sp.Expr:
-    """Return the coefficient of t^k as what it is: the derivative at 0, divided by k!."""
-    return sp.Subs(sp.Derivative(polynomial, (t, k)), t, 0) / sp.factorial(k)
-
-
-def _polynomial(coefficients: tuple[sp.Symbol, ...], n: int) -> sp.Expr:
-    return sp.Add(*(c * t**k for k, c in enumerate(coefficients[: n + 1])))
-
-
 def _sum(values: Any, functions: tuple[sp.Expr, ...]) -> sp.Expr:
     return sp.Add(*(v * b for v, b in zip(values, functions, strict=False)))
 
@@ -259,10 +197,3 @@ def _points(n: int) -> tuple[sp.Symbol, ...]:
 
 def _weights(n: int) -> tuple[sp.Symbol, ...]:
     return sp.symbols(f"w0:{n + 1}")
-
-
-def _degree(n: int) -> int:
-    degree = whole_number(n)
-    if degree is None or degree < 1:
-        raise BadValue("a degree 1, 2, 3, ...", shown(n), "Two control points are the fewest.")
-    return degree

@@ -158,6 +158,7 @@ def test_other_coordinates():
 
 REFUSED = [
     (lambda: implicitize([1, 2]), BadValue, "one point"),
+    (lambda: implicitize([t, t**17]), BadValue, "degree 16 or less"),
     (lambda: implicitize([t, t, t]), BadValue, "in the plane.*3 coordinates"),
     (lambda: implicitize([t * 0.5, t]), NotExact, "Rational"),
     (lambda: implicitize([sp.sin(t), t]), BadValue, "symbol in its place"),
