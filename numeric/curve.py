@@ -17,7 +17,7 @@ from .points import float_points, real_array
 # Largest error against exact values, relative to the largest control point, over random and
 # alternating control points: degree 3 1e-15, 5 6e-15, 7 5e-14, 8 2e-13, 12 2e-11, 20 5e-8. The
 # Bernstein form stays near 1e-15 at every degree, and costs a few times more.
-# `python benchmarks/horner_degree.py` measures it.
+# `python -m benchmarks.horner_degree` measures it.
 HORNER_DEGREE = 7
 
 

@@ -80,7 +80,9 @@ def check_blossom(
             continue
         verdict = prove(left, right)
         if isinstance(verdict, Refuted):
-            failures[axiom] = replace(verdict, where=axiom, diagnosis=f"{axiom}: {sentence}.")
+            failures[axiom] = replace(
+                verdict, where=_AXIOMS[axiom], diagnosis=f"{axiom}: {sentence}."
+            )
         elif not verdict:
             undecided = verdict
     if failures:
@@ -89,6 +91,11 @@ def check_blossom(
     return undecided or replace(verdict, diagnosis=_RIGHT)
 
 
+_AXIOMS = {
+    "Not multi-affine": "the first axiom, multi-affine",
+    "Not symmetric": "the second axiom, symmetric",
+    "Wrong diagonal": "the third axiom, the diagonal",
+}
 _RIGHT = "Proved: multi-affine, symmetric, and on the diagonal the polynomial: this is the blossom."
 
 
@@ -102,7 +109,7 @@ def _not_polar(given: Sequence[sp.Expr], expected: Sequence[sp.Expr], t: sp.Symb
 def _claims(
     f: Sequence[sp.Expr], polynomial: Sequence[sp.Expr], u: Sequence[sp.Symbol], t: sp.Symbol
 ) -> Iterator[tuple[str, str, list[sp.Expr], list[sp.Expr]]]:
-    """Yield every axiom as (name, what fails, left sides, right sides), argument by argument."""
+    """Yield (axiom if it fails, how, left sides, right sides), argument by argument."""
     w = sp.Symbol("w_affine")
     for x in u:
         a, b = sp.Symbol(f"{x}_a"), sp.Symbol(f"{x}_b")
