@@ -17,6 +17,9 @@ from symbolic import (
     bezier,
     bezier_properties,
     blossom,
+    cardinal,
+    catmull_rom,
+    chord_knots,
     closed_derivation,
     conic_type,
     continuity_at,
@@ -25,20 +28,33 @@ from symbolic import (
     implicitize,
     interpolating_spline,
     joint_properties,
+    kochanek_bartels,
+    lagrange,
     minimum_acceleration,
+    monomial,
     multiple_vertex_derivation,
     on_circle,
     parametric_continuity,
     phantom_derivation,
     rational_properties,
     runge_phenomenon,
+    uniform_bspline,
 )
 
 DERIVATIONS: list[tuple[str, Callable[[], Derivation]]] = [
     ("Bezier 3", lambda: bezier(3).derivation),
     ("Hermite 3", lambda: hermite(3).derivation),
     ("Hermite 5", lambda: hermite(5).derivation),
+    ("Monomials", lambda: monomial(3).derivation),
+    ("Lagrange", lambda: lagrange([0, sp.Rational(1, 3), 2]).derivation),
+    ("Lagrange over symbols", lambda: lagrange([0, sp.Symbol("a"), 1]).derivation),
+    ("Uniform B-spline", lambda: uniform_bspline(3).derivation),
+    ("Catmull-Rom", lambda: catmull_rom().derivation),
+    ("Catmull-Rom over chordal knots", lambda: catmull_rom(CHORDAL).derivation),
+    ("Cardinal spline", lambda: cardinal(sp.Symbol("T")).derivation),
+    ("Kochanek-Bartels", lambda: kochanek_bartels(*sp.symbols("T C B")).derivation),
 ]
+CHORDAL = chord_knots([[0, 0], [1, 2], [3, 1], [4, 7]], 1)
 
 t = sp.Symbol("t")
 DERIVATIONS += [
