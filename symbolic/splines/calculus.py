@@ -6,6 +6,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..bases.degree import degree_from
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, by_name, exact, whole_number
 from ..fields import common_field
@@ -137,9 +138,7 @@ def derivative_derivation(knots: KnotVector, span: Any) -> Derivation:
     >>> derivative_derivation(KnotVector([0, 0, 0, 1, 2, 2, 2], 2), 2).is_proved
     True
     """
-    p, u = knots.degree, knots.knots
-    if p == 0:
-        raise BadValue("a degree 1, 2, ...", "0", "A constant has the derivative zero.")
+    p, u = degree_from(knots.degree, 1), knots.knots
     levels = triangle(knots, span).levels
     lower = {entry.index: entry.polynomial for entry in levels[p - 1]}
     steps = []

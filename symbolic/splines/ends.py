@@ -12,6 +12,7 @@ from typing import Any
 import sympy as sp
 
 from ..bases.constraints import Condition
+from ..bases.degree import degree_from
 from ..bases.uniform_bspline import uniform_bspline
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, exact_points, whole_number
@@ -81,9 +82,7 @@ def wrap_points(points: Any, degree: int = 3) -> tuple[Point, ...]:
     >>> wrap_points([[0, 0], [1, 0], [0, 1]], 2)
     ((0, 0), (1, 0), (0, 1), (0, 0), (1, 0))
     """
-    rows, p = exact_points(points), whole_number(degree)
-    if p is None or p < 0:
-        raise BadValue("a degree 0, 1, 2, ...", shown(degree), "A cubic has degree 3.")
+    rows, p = exact_points(points), degree_from(degree, 0)
     if len(rows) < max(p, 1):
         raise BadValue(
             f"at least {p} control points for a closed curve of degree {p}",
@@ -159,8 +158,7 @@ def closed_derivation(count: int = 4, degree: int = 3) -> Derivation:
     >>> closed_derivation(4, 2).is_proved
     True
     """
-    if whole_number(degree) is None or degree < 1:
-        raise BadValue("a degree 1, 2, 3, ...", shown(degree), "Constant pieces do not join.")
+    degree = degree_from(degree, 1)  # constant pieces do not join
     points = sp.symbols(f"P0:{count}")
     wrapped = [row[0] for row in wrap_points([[point] for point in points], degree)]
     first, last = _uniform(wrapped[: degree + 1]), _uniform(wrapped[-degree - 1 :])

@@ -9,6 +9,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.domains.domain import Domain
 
+from ..bases.degree import degree_from
 from ..errors import BadValue, OutsideDomain, shown
 from ..exact import by_name, exact, whole_number
 from ..fields import common_field
@@ -52,9 +53,7 @@ class KnotVector:
     degree: int
 
     def __init__(self, knots: Any, degree: Any) -> None:
-        p = whole_number(degree)
-        if p is None or p < 0:
-            raise BadValue("a degree 0, 1, 2, ...", shown(degree), "The order is degree + 1.")
+        p = degree_from(degree, 0)
         read = read_knots(knots, p)
         object.__setattr__(self, "degree", p)
         object.__setattr__(self, "knots", in_order(read))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from ..bases.degree import degree_from
 from ..errors import BadValue, shown
 from ..exact import as_list, whole_number
 from .knots import KnotVector
@@ -57,9 +58,7 @@ def clamped_knots(point_count: int, degree: int, interior: Any = None) -> KnotVe
 
 
 def _sizes(point_count: Any, degree: Any) -> tuple[int, int]:
-    count, p = whole_number(point_count), whole_number(degree)
-    if p is None or p < 0:
-        raise BadValue("a degree 0, 1, 2, ...", shown(degree), "The order is degree + 1.")
+    count, p = whole_number(point_count), degree_from(degree, 0)
     if count is None or count < p + 1:
         raise BadValue(
             f"at least {p + 1} control points for degree {p}", shown(point_count), "Add points."
