@@ -21,6 +21,7 @@ from ..proofs.derivation import Derivation, Step
 from ..signs import sign
 from .basis import Basis, Geometry
 from .constraints import Condition, derivative, value
+from .parameters import parameter_from, refuse_clash
 
 _UNIFORM = tuple(sp.Integer(k) for k in (-1, 0, 1, 2))
 _POINTS = sp.symbols("P0:4")
@@ -79,7 +80,8 @@ def _knots_from(knots: Any) -> tuple[sp.Expr, ...]:
             f"{len(listed)}",
             "Give each segment the knots of its own four points.",
         )
-    read = tuple(value(knot).at for knot in listed)
+    read = tuple(map(parameter_from, listed))
+    refuse_clash(read, _POINTS)
     for a, b in pairwise(read):
         if sign(b - a) in (0, -1):
             raise BadValue(

@@ -8,9 +8,9 @@ from typing import Any
 
 import sympy as sp
 
-from ..dag import postorder
 from ..errors import BadValue, shown
-from ..exact import PARAMETER, by_name, exact, whole_number
+from ..exact import whole_number
+from .parameters import parameter_from
 
 
 @dataclass(frozen=True)
@@ -20,22 +20,13 @@ class Condition:
     at: sp.Expr
     order: int
 
-    def row(self, degree: int, at: Any = None) -> list[Any]:
+    def row(self, degree: int) -> list[sp.Expr]:
         """Return the condition as a row over the coefficients of t^n, ..., t, 1.
-
-        The k-th power contributes k!/(k-r)! a^(k-r) to the r-th derivative at a. With `at`, the
-        parameter a as an element of a field, the row consists of such elements.
 
         >>> value(2).row(2), derivative(2).row(2)
         ([4, 2, 1], [4, 1, 0])
         """
-        a = self.at if at is None else at
-        power = a * 0 + 1
-        row = [a * 0] * min(self.order, degree + 1)
-        for k in range(self.order, degree + 1):
-            row.append(perm(k, self.order) * power)
-            power = power * a
-        return row[::-1]
+        return row_of_powers(self.at, self.order, degree, sp.S.Zero, sp.S.One)
 
     def of(self, expression: sp.Expr, parameter: sp.Symbol) -> sp.Expr:
         """Return the condition applied to an expression, unevaluated, so that it can be read."""
@@ -53,7 +44,7 @@ def value(at: Any) -> Condition:
     >>> print(value(0))
     c(0)
     """
-    return Condition(_parameter(at), 0)
+    return Condition(parameter_from(at), 0)
 
 
 def derivative(at: Any, order: int = 1) -> Condition:
@@ -67,17 +58,19 @@ def derivative(at: Any, order: int = 1) -> Condition:
         raise BadValue(
             "a derivative of order 1, 2, 3, ...", shown(order), "For order 0 use value(at)."
         )
-    return Condition(_parameter(at), whole)
+    return Condition(parameter_from(at), whole)
 
 
-def _parameter(at: Any) -> sp.Expr:
-    """Read a parameter of numbers, roots and symbols: of these, zero can be told for certain."""
-    expression = by_name(exact(at))
-    functions = [node for node in postorder([expression]) if node.is_Function or node is sp.pi]
-    if functions or PARAMETER in expression.free_symbols:
-        raise BadValue(
-            "a parameter made of numbers, roots and other symbols than t",
-            shown(at),
-            "Use a rational number or a symbol such as a.",
-        )
-    return expression
+def row_of_powers(at: Any, order: int, degree: int, zero: Any, one: Any) -> list[Any]:
+    """Return the derivatives of some order of t^n, ..., t, 1 at a parameter.
+
+    For t^k it is k!/(k-r)! a^(k-r). The parameter, zero and one are elements of one field.
+
+    >>> row_of_powers(3, 1, 2, zero=0, one=1)
+    [6, 1, 0]
+    """
+    power, row = one, [zero] * min(order, degree + 1)
+    for k in range(order, degree + 1):
+        row.append(perm(k, order) * power)
+        power = power * at
+    return row[::-1]

@@ -12,6 +12,7 @@ from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list, by_name, exact
 from ..exact_matrix import dense
 from .constraints import Condition
+from .parameters import refuse_clash
 
 _LETTERS = {0: "P", 1: "T", 2: "A", 3: "J"}  # position, tangent, acceleration, jerk
 
@@ -82,13 +83,7 @@ def entries_of(
             f"the curve's own parameter {PARAMETER}",
             "Call it by another name.",
         )
-    at = {symbol for condition in conditions for symbol in condition.at.free_symbols}
-    if clash := sorted(map(str, at.intersection(entries))):
-        raise BadValue(
-            "parameters and geometry of different names",
-            f"{', '.join(clash)} as both",
-            "Call the parameter by another name.",
-        )
+    refuse_clash([condition.at for condition in conditions], entries)
     return entries
 
 

@@ -7,18 +7,18 @@ from functools import partial
 from typing import Any, NoReturn
 
 import sympy as sp
-from sympy.polys.domains.domain import Domain
 from sympy.polys.matrices import DomainMatrix
 from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
-from ..errors import BadValue, UnsolvableConstraints
+from ..errors import UnsolvableConstraints
 from ..exact import PARAMETER
 from ..exact_matrix import product, solution, to_matrix
-from ..fields import HIGHEST_ALGEBRAIC_DEGREE, common_field, is_radical
+from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
-from .constraints import Condition
+from .constraints import Condition, row_of_powers
 from .demands import demand_rows, entries_of, read_constraints
+from .parameters import refuse_high_roots
 
 
 def basis_from(
@@ -77,7 +77,7 @@ def basis_of(
     degree = len(conditions) - 1
     system = _system(conditions, degree)
     demands = demand_rows(entries, combinations)
-    _refuse_high_roots(demands.domain)
+    refuse_high_roots(demands.domain)
     try:
         inverse = system.inv()
     except DMNonInvertibleMatrixError:
@@ -109,21 +109,13 @@ def basis_of(
 def _system(conditions: Sequence[Condition], degree: int) -> DomainMatrix:
     """Return the constraint matrix C: one row for every condition, highest power first."""
     field, parameters = common_field(condition.at for condition in conditions)
-    _refuse_high_roots(field)
-    rows = [c.row(degree, at) for c, at in zip(conditions, parameters, strict=True)]
+    refuse_high_roots(field)
+    rows = [
+        row_of_powers(at, condition.order, degree, field.zero, field.one)
+        for condition, at in zip(conditions, parameters, strict=True)
+    ]
     shape = (len(rows), degree + 1)
     return DomainMatrix.from_list_flat([e for row in rows for e in row], shape, field).to_dense()
-
-
-def _refuse_high_roots(field: Domain) -> None:
-    """Refuse roots that stand as free generators: a zero made of them would not be seen."""
-    roots = [str(g) for g in getattr(field, "symbols", ()) if is_radical(g)]
-    if roots:
-        raise BadValue(
-            f"roots that together generate a field of degree at most {HIGHEST_ALGEBRAIC_DEGREE}",
-            ", ".join(roots),
-            "Put symbols in their place.",
-        )
 
 
 def _moves(kinds: DomainMatrix | None, entries: Sequence[sp.Symbol]) -> list[Any]:

@@ -8,12 +8,12 @@ from typing import Any
 
 import sympy as sp
 
-from ..errors import BadValue, shown
-from ..exact import PARAMETER, by_name, exact
+from ..exact import by_name, exact
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis
 from .constraints import derivative, value
 from .from_constraints import basis_of
+from .parameters import refuse_clash
 
 _POINTS = sp.symbols("P0:4")
 
@@ -43,7 +43,7 @@ def cardinal(tension: Any) -> Basis:
     >>> cardinal(sp.Symbol("T")).functions[3]
     t**3*(1/2 - T/2) + t**2*(T/2 - 1/2)
     """
-    return _cardinal(_parameter("tension", tension))
+    return _cardinal(_parameter(tension))
 
 
 def kochanek_bartels(tension: Any, continuity: Any, bias: Any) -> Basis:
@@ -83,9 +83,9 @@ def kochanek_bartels(tension: Any, continuity: Any, bias: Any) -> Basis:
     True
     """
     return _kochanek_bartels(
-        _parameter("tension", tension),
-        _parameter("continuity", continuity),
-        _parameter("bias", bias),
+        _parameter(tension),
+        _parameter(continuity),
+        _parameter(bias),
     )
 
 
@@ -144,11 +144,7 @@ def _derivation(
     return replace(derivation, steps=(*derivation.steps, Step(difference, factored, because)))
 
 
-def _parameter(name: str, given: Any) -> sp.Expr:
+def _parameter(given: Any) -> sp.Expr:
     expression = by_name(exact(given))
-    clash = expression.free_symbols & {PARAMETER, *_POINTS}
-    if clash:
-        raise BadValue(
-            f"a {name} without {PARAMETER} and P0, ..., P3", shown(given), "Use another symbol."
-        )
+    refuse_clash([expression], _POINTS)
     return expression

@@ -8,6 +8,7 @@ from math import prod
 from typing import Any, NoReturn
 
 import sympy as sp
+from sympy.polys.domains.domain import Domain
 from sympy.polys.matrices import DomainMatrix
 
 from ..errors import BadType, BadValue, shown
@@ -16,6 +17,7 @@ from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
 from .constraints import value
+from .parameters import parameter_from, refuse_clash, refuse_high_roots
 
 
 def lagrange(nodes: Any) -> Basis:
@@ -51,19 +53,22 @@ def lagrange(nodes: Any) -> Basis:
         raise BadType("a list of nodes", shown(nodes), "Write [0, Rational(1, 2), 1].")
     if len(listed) < 2:
         raise BadValue("at least two nodes", shown(nodes), "A line has two: [0, 1].")
-    return _lagrange(tuple(value(node).at for node in listed))
+    read = tuple(map(parameter_from, listed))
+    refuse_clash(read, sp.symbols(f"P0:{len(read)}"))
+    return _lagrange(read)
 
 
 @lru_cache(maxsize=32)
 def _lagrange(nodes: tuple[sp.Expr, ...]) -> Basis:
     field, elements = common_field(nodes)
+    refuse_high_roots(field)
     columns = []
     for i, u in enumerate(elements):
         scale = prod((u - v for j, v in enumerate(elements) if j != i), start=field.one)
         if not scale:
             _refuse_equal(nodes, elements)
         others = elements[:i] + elements[i + 1 :]
-        columns.append([c / scale for c in _with_roots(others, field.one)])
+        columns.append([c / scale for c in _with_roots(others, field)])
     size = len(nodes)
     flat = [columns[j][i] for i in range(size) for j in range(size)]
     geometry = tuple(Geometry(symbol, "point") for symbol in sp.symbols(f"P0:{size}"))
@@ -75,12 +80,12 @@ def _lagrange(nodes: tuple[sp.Expr, ...]) -> Basis:
     )
 
 
-def _with_roots(roots: Sequence[Any], one: Any) -> list[Any]:
+def _with_roots(roots: Sequence[Any], field: Domain) -> list[Any]:
     """Return the coefficients of the product of (t - u) over the roots u, highest power first."""
-    result = [one]
+    result = [field.one]
     for u in roots:
-        shifted = [*result, one - one]
-        result = [a - u * b for a, b in zip(shifted, [one - one, *result], strict=True)]
+        shifted, held = [*result, field.zero], [field.zero, *result]
+        result = [a - u * b for a, b in zip(shifted, held, strict=True)]
     return result
 
 

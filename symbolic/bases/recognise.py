@@ -18,7 +18,7 @@ from ..errors import BadValue
 from .basis import Basis
 from .bezier import bezier
 from .catmull_rom import catmull_rom
-from .constraints import Condition
+from .constraints import Condition, row_of_powers
 from .from_constraints import basis_from
 from .hermite import hermite
 from .kochanek_bartels import cardinal, kochanek_bartels
@@ -110,12 +110,12 @@ def _with_tangents(field: Any, x: Any, y: Any, z: Any, w: Any) -> Iterator[tuple
     z = d/(1 + d); the others fit if x y = (1 - y)^2 and w z = (1 - z)^2.
     """
     half = (x + y + z + w) / 2  # 1 - T
-    tension = field.to_sympy(1 - half)
+    tension = field.to_sympy(field.one - half)
     cardinals = _same(x, y) and _same(y, z) and _same(z, w)
     if cardinals:
         yield _CARDINAL, cardinal(tension)
     if half and _same(x * y, z * w):
-        continuity, bias = field.to_sympy((x + w) / half - 1), field.to_sympy((x + z) / half - 1)
+        continuity, bias = (field.to_sympy(pair / half - field.one) for pair in (x + w, x + z))
         yield _KOCHANEK_BARTELS, kochanek_bartels(tension, continuity, bias)
     elif not any((x, y, z, w)):
         yield _KOCHANEK_BARTELS, kochanek_bartels(1, 0, 0)
@@ -198,7 +198,6 @@ def _condition(row: Sequence[Any], field: Any) -> Condition | None:
     last = order == len(row) - 1  # the same everywhere: call it the derivative at 0
     at = field.zero if last else row[order + 1] / row[order] / (order + 1)
     factor = row[order] / factorial(order)
-    condition = Condition(field.to_sympy(at), order)
-    expected = condition.row(len(row) - 1, at)[::-1]
+    expected = row_of_powers(at, order, len(row) - 1, field.zero, field.one)[::-1]
     same = all(_same(factor * a, b) for a, b in zip(expected, row, strict=True))
-    return condition if same else None
+    return Condition(field.to_sympy(at), order) if same else None

@@ -1,0 +1,57 @@
+"""Parameters of bases: exact real numbers made of roots, and symbols of names of their own."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import Any
+
+import sympy as sp
+from sympy.polys.domains.domain import Domain
+
+from ..dag import postorder
+from ..errors import BadValue, shown
+from ..exact import PARAMETER, by_name, exact
+from ..fields import HIGHEST_ALGEBRAIC_DEGREE, is_radical
+
+
+def parameter_from(given: Any) -> sp.Expr:
+    """Read a parameter of numbers, roots and symbols: of these, zero can be told for certain.
+
+    Raises
+    ------
+    BadValue
+        For functions, pi, imaginary numbers, and the curve's own parameter t.
+    """
+    expression = by_name(exact(given))
+    nodes = list(postorder([expression]))
+    strange = [node for node in nodes if node.is_Function or node is sp.pi or node is sp.E]
+    imaginary = [node for node in nodes if node.is_number and node.is_real is False]
+    if strange or imaginary or PARAMETER in expression.free_symbols:
+        raise BadValue(
+            "a parameter made of numbers, roots and other symbols than t",
+            shown(given),
+            "Use a rational number or a symbol such as a.",
+        )
+    return expression
+
+
+def refuse_clash(parameters: Iterable[sp.Expr], entries: Sequence[sp.Symbol]) -> None:
+    """Raise `BadValue` where a symbol is both a parameter of a basis and an entry of G, or t."""
+    used = {symbol for expression in parameters for symbol in expression.free_symbols}
+    if clash := sorted(map(str, used.intersection((PARAMETER, *entries)))):
+        raise BadValue(
+            f"parameters of other names than {PARAMETER} and {', '.join(map(str, entries))}",
+            f"{' and '.join(clash)}",
+            "Call the parameter by another name.",
+        )
+
+
+def refuse_high_roots(field: Domain) -> None:
+    """Refuse roots that stand as free generators: a zero made of them would not be seen."""
+    roots = [str(g) for g in getattr(field, "symbols", ()) if is_radical(g)]
+    if roots:
+        raise BadValue(
+            f"roots that together generate a field of degree at most {HIGHEST_ALGEBRAIC_DEGREE}",
+            ", ".join(roots),
+            "Put symbols in their place.",
+        )
