@@ -12,7 +12,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list, exact_points
-from ..exact_matrix import product, to_matrix
+from ..exact_matrix import inverse, product, to_matrix
 from ..proofs.derivation import Derivation
 
 
@@ -186,7 +186,7 @@ class Basis:
                 f"{other.name} with a singular matrix",
                 "Convert to Bezier or another complete basis.",
             )
-        return to_matrix(product(other.coefficients.inv(), self.coefficients))
+        return to_matrix(product(inverse(other.coefficients), self.coefficients))
 
     def curve(self, points: Any) -> tuple[sp.Expr, ...]:
         """Return the exact curve for a geometry vector, one polynomial in t per coordinate.

@@ -12,7 +12,7 @@ from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
 from ..errors import UnsolvableConstraints
 from ..exact import PARAMETER
-from ..exact_matrix import product, solution, to_matrix
+from ..exact_matrix import inverse, product, solution, to_matrix
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from .basis import Basis, Geometry
@@ -76,16 +76,17 @@ def basis_of(
     """Return the basis of constraints that are read already; entries may be left unmentioned."""
     degree = len(conditions) - 1
     system = _system(conditions, degree)
-    demands = demand_rows(entries, combinations)
-    refuse_high_roots(demands.domain)
+    own_entries = list(entries) == list(combinations)  # one for every condition: L is the identity
+    if own_entries:
+        demands = DomainMatrix.eye(len(entries), sp.QQ).to_dense()
+    else:
+        demands = demand_rows(entries, combinations)
+        refuse_high_roots(demands.domain)
     try:
-        inverse = system.inv()
+        solved = inverse(system)
     except DMNonInvertibleMatrixError:
         _refuse_unsolvable(system, conditions, combinations)
-    own_entries = list(entries) == list(
-        combinations
-    )  # one entry for every condition: L is the identity
-    matrix = inverse if own_entries else product(inverse, demands)
+    matrix = solved if own_entries else product(solved, demands)
     constant_one = system[:, degree:]  # what the conditions make of the curve c = 1
     kinds = constant_one if own_entries else solution(demands, constant_one)
     return Basis(
@@ -100,7 +101,7 @@ def basis_of(
             conditions=conditions,
             combinations=combinations,
             system=system,
-            inverse=inverse,
+            solved=solved,
             demands=demands,
         ),  # fmt: skip
     )
@@ -150,13 +151,13 @@ def _derivation(
     conditions: Sequence[Condition],
     combinations: Sequence[sp.Expr],
     system: DomainMatrix,
-    inverse: DomainMatrix,
+    solved: DomainMatrix,
     demands: DomainMatrix,
 ) -> Derivation:
     unknowns = [sp.Symbol(f"a_{k}") for k in range(basis.degree, -1, -1)]
     curve = sp.Add(*(a * p for a, p in zip(unknowns, basis.powers, strict=True)))
     powers, column = sp.ImmutableMatrix([basis.powers]), sp.ImmutableMatrix(unknowns)
-    c, c_inverse, right = map(to_matrix, (system, inverse, demands))
+    c, c_inverse, right = map(to_matrix, (system, solved, demands))
     rows = [sp.Add(*(e * a for e, a in zip(c.row(i), unknowns, strict=True)))
             for i in range(len(conditions))]  # fmt: skip
     finished = basis.matrix * sp.ImmutableMatrix([entry.symbol for entry in basis.geometry])

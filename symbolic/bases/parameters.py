@@ -22,7 +22,10 @@ def parameter_from(given: Any) -> sp.Expr:
     BadValue
         For functions, pi, imaginary numbers, and the curve's own parameter t.
     """
-    expression = by_name(exact(given))
+    expression = exact(given)
+    if expression.is_Rational:
+        return expression
+    expression = by_name(expression)
     nodes = list(postorder([expression]))
     strange = [node for node in nodes if node.is_Function or node is sp.pi or node is sp.E]
     imaginary = [node for node in nodes if node.is_number and node.is_real is False]
