@@ -61,8 +61,8 @@ def _fixed(matrix: DomainMatrix) -> Iterator[Candidate]:
     for rank, basis in enumerate(families, _FIXED):
         given, known = matrix.unify(basis.coefficients)
         columns, wanted = _columns(known), _columns(given)
-        if all(column in columns for column in wanted):
-            places = [columns.index(column) for column in wanted]
+        places = [columns.index(column) for column in wanted if column in columns]
+        if sorted(places) == list(range(n + 1)):
             yield rank, basis, tuple(basis.geometry[i].name for i in places)
 
 
