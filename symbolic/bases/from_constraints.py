@@ -133,7 +133,7 @@ def _refuse_unsolvable(
     named = " and ".join(f"{conditions[i]} = {combinations[i]}" for i in involved)
     degree = len(conditions) - 1
     # The rows cancel, so the same combination of the right sides has to be zero.
-    demand = sp.Add(*(relation[i] * combinations[i] for i in involved))
+    demand = sp.expand(sp.Add(*(relation[i] * combinations[i] for i in involved)))
     trouble = f"which can hold together only if {demand} = 0"
     if len(involved) == 1:
         trouble = f"though {conditions[involved[0]]} is 0 for every curve of degree {degree}"

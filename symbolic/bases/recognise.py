@@ -5,7 +5,8 @@ Nothing here has to be certain: whoever asks compares each candidate's matrix wi
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
 from itertools import count
 from math import factorial
 from typing import Any
@@ -86,8 +87,11 @@ def _through_inner_points(matrix: DomainMatrix) -> Iterator[Candidate]:
             names = {p0: "P0", p1: "P1", p2: "P2", p3: "P3"}
             order = tuple(names[i] for i in range(4))
             tangents = (-start[p0], start[p2], -end[p1], end[p3])
-            for rank, basis in _with_tangents(field, *tangents):
-                yield rank, basis, order
+            for rank, make in _with_tangents(field, *tangents):
+                try:
+                    yield rank, make(), order
+                except BadValue:  # knots that do not increase, parameters named as points
+                    continue
             return
 
 
@@ -102,7 +106,9 @@ def _same(a: Any, b: Any) -> bool:
     return not (a - b)
 
 
-def _with_tangents(field: Any, x: Any, y: Any, z: Any, w: Any) -> Iterator[tuple[int, Basis]]:
+def _with_tangents(
+    field: Any, x: Any, y: Any, z: Any, w: Any
+) -> Iterator[tuple[int, Callable[[], Basis]]]:
     """Solve for parameters: c'(0) = x (P1 - P0) + y (P2 - P1), c'(1) = z (P2 - P1) + w (P3 - P2).
 
     Kochanek-Bartels has x + y + z + w = 2 (1 - T), x + z = (1 - T)(1 + B), x + w = (1 - T)(1 + C),
@@ -113,20 +119,17 @@ def _with_tangents(field: Any, x: Any, y: Any, z: Any, w: Any) -> Iterator[tuple
     tension = field.to_sympy(field.one - half)
     cardinals = _same(x, y) and _same(y, z) and _same(z, w)
     if cardinals:
-        yield _CARDINAL, cardinal(tension)
+        yield _CARDINAL, partial(cardinal, tension)
     if half and _same(x * y, z * w):
         continuity, bias = (field.to_sympy(pair / half - field.one) for pair in (x + w, x + z))
-        yield _KOCHANEK_BARTELS, kochanek_bartels(tension, continuity, bias)
+        yield _KOCHANEK_BARTELS, partial(kochanek_bartels, tension, continuity, bias)
     elif not any((x, y, z, w)):
-        yield _KOCHANEK_BARTELS, kochanek_bartels(1, 0, 0)
+        yield _KOCHANEK_BARTELS, partial(kochanek_bartels, 1, 0, 0)
     one = field.one
     fits = _same(x * y, (one - y) ** 2) and _same(w * z, (one - z) ** 2)
     if fits and x and w and not cardinals:
         knots = (-y / (one - y), field.zero, one, one / (one - z))
-        try:
-            yield _KNOTS, catmull_rom([field.to_sympy(knot) for knot in knots])
-        except BadValue:  # they do not increase
-            return
+        yield _KNOTS, partial(catmull_rom, [field.to_sympy(knot) for knot in knots])
 
 
 def _given_by_conditions(conditions: Sequence[Condition]) -> Iterator[Candidate]:

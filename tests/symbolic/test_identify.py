@@ -96,6 +96,7 @@ def test_parameters_are_solved_for_exactly(basis):
 @pytest.mark.parametrize("matrix", [
     sp.zeros(4), sp.Matrix(4, 4, range(16)), sp.Matrix(2, 3, range(6)), [[7]], 2 * sp.eye(3),
     bezier(3).matrix + sp.eye(4), sp.Matrix(4, 4, sp.symbols("m:16")), [[a, 1], [1, 2]],
+    cardinal(a).matrix.subs(a, sp.Symbol("P0")),
 ])  # fmt: skip
 def test_an_unknown_matrix_has_no_candidates(matrix):
     assert identify(matrix) == []
