@@ -12,7 +12,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list, exact_points
-from ..exact_matrix import inverse, product, to_matrix
+from ..exact_matrix import dense, inverse, product, to_matrix
 from ..proofs.derivation import Derivation
 
 
@@ -218,6 +218,10 @@ class Basis:
                 f"Give one row for every entry of the geometry vector of {self.name}.",
             )
 
+    def __reduce__(self) -> tuple[Any, ...]:
+        # Bases cross process borders; SymPy's elements of fraction fields cannot be pickled.
+        return _rebuilt, (self.name, self.geometry, self.matrix, self.derive)
+
     def __repr__(self) -> str:
         return f"<{self.name}: degree {self.degree}, G = ({', '.join(map(str, self.geometry))})>"
 
@@ -226,6 +230,10 @@ class Basis:
         row = sp.ImmutableMatrix([self.powers])
         parts = " ".join(sp.latex(part) for part in (row, self.matrix, column))
         return rf"$\displaystyle \mathbf c(t) = {parts}$"
+
+
+def _rebuilt(name: str, geometry: Any, matrix: sp.ImmutableMatrix, derive: Any) -> Basis:
+    return Basis(name, geometry, dense(matrix.tolist()), derive)
 
 
 def _one_of(name: str, value: Any, choices: tuple[str, ...]) -> None:

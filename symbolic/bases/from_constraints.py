@@ -74,21 +74,17 @@ def basis_of(
     name: str,
 ) -> Basis:
     """Return the basis of constraints that are read already; entries may be left unmentioned."""
-    degree = len(conditions) - 1
-    system = _system(conditions, degree)
-    own_entries = list(entries) == list(combinations)  # one for every condition: L is the identity
-    if own_entries:
-        demands = DomainMatrix.eye(len(entries), sp.QQ).to_dense()
-    else:
-        demands = demand_rows(entries, combinations)
-        refuse_high_roots(demands.domain)
+    system = _system(conditions)
     try:
         solved = inverse(system)
     except DMNonInvertibleMatrixError:
         _refuse_unsolvable(system, conditions, combinations)
-    matrix = solved if own_entries else product(solved, demands)
-    constant_one = system[:, degree:]  # what the conditions make of the curve c = 1
-    kinds = constant_one if own_entries else solution(demands, constant_one)
+    constant_one = system[:, -1:]  # what the conditions make of the curve c = 1
+    matrix, kinds = solved, constant_one
+    if list(entries) != list(combinations):  # otherwise each condition has an entry of its own
+        demands = demand_rows(entries, combinations)
+        refuse_high_roots(demands.domain)
+        matrix, kinds = product(solved, demands), solution(demands, constant_one)
     return Basis(
         name,
         tuple(
@@ -96,21 +92,15 @@ def basis_of(
             for symbol, kind in zip(entries, _moves(kinds, entries), strict=True)
         ),
         matrix,
-        partial(
-            _derivation,
-            conditions=conditions,
-            combinations=combinations,
-            system=system,
-            solved=solved,
-            demands=demands,
-        ),  # fmt: skip
+        partial(_derivation, conditions=conditions, combinations=combinations),
     )
 
 
-def _system(conditions: Sequence[Condition], degree: int) -> DomainMatrix:
+def _system(conditions: Sequence[Condition]) -> DomainMatrix:
     """Return the constraint matrix C: one row for every condition, highest power first."""
     field, parameters = common_field(condition.at for condition in conditions)
     refuse_high_roots(field)
+    degree = len(conditions) - 1
     rows = [
         row_of_powers(at, condition.order, degree, field.zero, field.one)
         for condition, at in zip(conditions, parameters, strict=True)
@@ -150,14 +140,13 @@ def _derivation(
     basis: Basis,
     conditions: Sequence[Condition],
     combinations: Sequence[sp.Expr],
-    system: DomainMatrix,
-    solved: DomainMatrix,
-    demands: DomainMatrix,
 ) -> Derivation:
     unknowns = [sp.Symbol(f"a_{k}") for k in range(basis.degree, -1, -1)]
     curve = sp.Add(*(a * p for a, p in zip(unknowns, basis.powers, strict=True)))
     powers, column = sp.ImmutableMatrix([basis.powers]), sp.ImmutableMatrix(unknowns)
-    c, c_inverse, right = map(to_matrix, (system, solved, demands))
+    system = _system(conditions)
+    demands = demand_rows([entry.symbol for entry in basis.geometry], combinations)
+    c, c_inverse, right = map(to_matrix, (system, inverse(system), demands))
     rows = [sp.Add(*(e * a for e, a in zip(c.row(i), unknowns, strict=True)))
             for i in range(len(conditions))]  # fmt: skip
     finished = basis.matrix * sp.ImmutableMatrix([entry.symbol for entry in basis.geometry])

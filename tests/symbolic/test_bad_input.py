@@ -17,6 +17,8 @@ from symbolic import (
     de_casteljau,
     derivative,
     hermite,
+    kochanek_bartels,
+    lagrange,
     subdivide,
     value,
 )
@@ -156,7 +158,9 @@ def test_unhashable_and_odd_degrees(n):
             family(n)
 
 
-@pytest.mark.parametrize("basis", [bezier(3), hermite(5)], ids=lambda basis: basis.name)
+@pytest.mark.parametrize("basis", [
+    bezier(3), hermite(5), lagrange([0, 1, sp.Symbol("a")]), kochanek_bartels(*sp.symbols("T C B")),
+], ids=lambda basis: basis.name)  # fmt: skip
 def test_bases_survive_pickling(basis):
     again = pickle.loads(pickle.dumps(basis))
     assert again.matrix == basis.matrix
