@@ -17,6 +17,7 @@ from .dag import postorder
 
 Interval = Any
 DIGITS = 70
+_LARGEST = 10_000  # power of ten, and exponent: the exact value has to be written down too
 
 
 def enclosure(
@@ -63,7 +64,8 @@ def _box(
     if operation is None:
         raise _Unknown
     box = operation(context, *(boxes[id(argument)] for argument in node.args))
-    if not -context.inf < box.a <= box.b < context.inf:
+    largest = context.mpf(10) ** _LARGEST
+    if not -largest < box.a <= box.b < largest:
         raise _Unknown
     return box
 
@@ -86,7 +88,7 @@ def _product(context: Any, *factors: Interval) -> Interval:
 def _power(context: Any, base: Interval, exponent: Interval) -> Interval:
     whole = int(exponent.a) if exponent.delta == 0 and exponent.a == int(exponent.a) else None
     if whole is not None:
-        if whole < 0 and 0 in base:
+        if (whole < 0 and 0 in base) or abs(whole) > _LARGEST:
             raise _Unknown
         return base**whole
     if not base > 0:

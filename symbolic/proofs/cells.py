@@ -9,6 +9,7 @@ from functools import cmp_to_key
 import sympy as sp
 
 from ..signs import sign
+from .generators import NoNormalForm
 
 
 @dataclass(frozen=True)
@@ -31,7 +32,7 @@ class Cell:
         parts = 1
         while True:
             number = (sp.floor(self.low * parts) + 1) / sp.Integer(parts)
-            if sign(self.high - number) == 1:
+            if certain_sign(self.high - number) == 1:
                 return number
             parts *= 2
 
@@ -48,8 +49,8 @@ class Cell:
 
     def holds(self, number: sp.Expr) -> bool:
         """Tell whether a number lies in the cell, its ends not included."""
-        return (self.low is None or sign(number - self.low) == 1) and (
-            self.high is None or sign(self.high - number) == 1
+        return (self.low is None or certain_sign(number - self.low) == 1) and (
+            self.high is None or certain_sign(self.high - number) == 1
         )
 
     def cut(self, numbers: Iterable[sp.Expr]) -> tuple[list[sp.Expr], list[Cell]]:
@@ -61,7 +62,7 @@ class Cell:
         ordered = sorted(numbers, key=cmp_to_key(_order))
         different: list[sp.Expr] = []
         for number in ordered:
-            if self.holds(number) and (not different or sign(number - different[-1])):
+            if self.holds(number) and (not different or certain_sign(number - different[-1])):
                 different.append(number)
         ends = [self.low, *different, self.high]
         return different, [Cell(a, b) for a, b in zip(ends, ends[1:], strict=False)]
@@ -71,5 +72,13 @@ class Cell:
         return f"({low}, {'oo' if self.high is None else self.high})"
 
 
+def certain_sign(number: sp.Expr) -> int:
+    """Return the sign of a real number; `NoNormalForm` if it is not known."""
+    found = sign(number)
+    if found is None:
+        raise NoNormalForm(f"the sign of {number} is not known")
+    return found
+
+
 def _order(left: sp.Expr, right: sp.Expr) -> int:
-    return sign(left - right) or 0
+    return certain_sign(left - right)

@@ -18,7 +18,7 @@ from ..dag import postorder, substitute
 from ..errors import BadValue, shown
 from ..polynomials import polynomials
 from ..signs import sign
-from .cells import Cell
+from .cells import Cell, certain_sign
 from .comparison import compared
 from .normal_form import NormalForms
 from .side import CORNERED, has_corners
@@ -55,7 +55,7 @@ def compared_in_pieces(sides: Pair, windows: Windows | None = None) -> Verdict:
             return Undecided(f"{shown(node, 60)} has no break points that are known numbers")
         return verdict
     if split.variable is None:
-        return _merged([_in_piece(sides, split, lambda s: sign(s) or 0, None, windows, "")])
+        return _merged([_in_piece(sides, split, certain_sign, None, windows, "")])
     variable = split.variable
     breaks, cells = windows.get(variable, Cell()).cut(split.breaks)
     if len(cells) > MOST_CELLS:
@@ -115,7 +115,7 @@ def _in_piece(
 
 
 def _signs_at(variable: sp.Symbol, number: sp.Expr) -> SignOf:
-    return lambda switch: sign(substitute([switch], {variable: number})[0]) or 0
+    return lambda switch: certain_sign(substitute([switch], {variable: number})[0])
 
 
 def _split(sides: Pair) -> _Split | None:
@@ -150,12 +150,10 @@ def _break_points(node: sp.Basic) -> tuple[sp.Symbol | None, list[sp.Expr]] | No
     except BadValue:
         return None
     for row in rows:
-        if len(row) > 2:
+        if len(row) > 2 or any(sign(field.to_sympy(c)) is None for c in row):
             return None
         if len(row) == 2:
             zeros.append(field.to_sympy(-row[1] / row[0]))
-    if any(sp.I in postorder([zero]) for zero in zeros):
-        return None
     return variable, zeros
 
 

@@ -86,8 +86,9 @@ def _verdicts(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> Iterator[Ver
     """Yield the verdict on every pair; the normal forms of all smooth ones share one ring."""
     pairs: list[tuple[sp.Expr, sp.Expr] | Undecided] = []
     for a, b in zip(left, right, strict=True):
+        smooth_pair = not has_corners((a, b))
         try:
-            pairs.append((evaluated(a), evaluated(b)))
+            pairs.append((evaluated(a, smooth_pair), evaluated(b, smooth_pair)))
         except NoNormalForm as reason:
             pairs.append(Undecided(str(reason)))
         except RecursionError:  # SymPy's own traversals
@@ -99,10 +100,19 @@ def _verdicts(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> Iterator[Ver
         if isinstance(pair, Undecided):
             yield pair
         elif has_corners(pair):
-            yield compared_in_pieces(pair)
+            yield _in_pieces(pair)
         else:
             yield compared(forms, (place, place + 1), pair, {})
             place += 2
+
+
+def _in_pieces(pair: tuple[sp.Expr, sp.Expr]) -> Verdict:
+    try:
+        return compared_in_pieces(pair)
+    except NoNormalForm as reason:
+        return Undecided(str(reason))
+    except RecursionError:
+        return Undecided("an expression is nested too deeply")
 
 
 def _place_in_words(place: tuple[int, ...]) -> str:

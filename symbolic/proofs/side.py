@@ -80,11 +80,11 @@ def _explicit(value: sp.MatrixExpr) -> sp.MatrixBase:
         ) from None
 
 
-def evaluated(expression: sp.Expr) -> sp.Expr:
+def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
     """Return an expression with its sums, integrals, derivatives and substitutions carried out.
 
     Symbols lose their assumptions first: they are matched by name. Derivatives and substitutions
-    in rational functions stay: normal forms carry them out, far faster.
+    in rational functions stay, if they may: normal forms carry them out, far faster.
 
     Raises
     ------
@@ -106,9 +106,10 @@ def evaluated(expression: sp.Expr) -> sp.Expr:
     if any(symbol != sp.Symbol(symbol.name) for symbol in symbols):
         expression = by_name(expression)
         nodes = list(postorder([expression]))
-    if all(is_operator(node) for node in nodes if isinstance(node, tuple(_LIMITS))):
+    pending = [node for node in nodes if isinstance(node, tuple(_LIMITS))]
+    if not pending or (keep_operators and all(map(is_operator, pending))):
         return expression
-    for node in nodes:
+    for node in pending:
         if isinstance(node, sp.Derivative) and has_corners([node.expr]):
             raise NoNormalForm("a derivative at break points is not understood")  # nor by SymPy
         for kind, is_short in _LIMITS.items():

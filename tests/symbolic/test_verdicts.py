@@ -31,7 +31,7 @@ from sympy import (
     tan,
 )  # fmt: skip
 
-from symbolic import Proved, Refuted, Undecided, prove
+from symbolic import Proved, Refuted, Undecided, check, prove
 from symbolic.intervals import differ, enclosure
 from symbolic.signs import sign as sign_of
 
@@ -94,6 +94,9 @@ PROVED = [
     (step((a * t, t < sqrt(2)), (b, True)), step((b, t >= sqrt(2)), (a * t, True))),
     (step((t, (t >= 0) & (t < 1))), step((2 * t - t, (t >= 0) & (t < 1)))),
     (Heaviside(t) * t, Max(0, t)),
+    (step((Derivative(t**2, t), t < 1), (2, True)), Min(2 * t, 2)),
+    (Derivative(t**2, t), Max(0, t) * 2 + Min(0, t) * 2),
+    (Subs(Max(t, 0), t, x), Max(x, 0)),
     (sign(t) * t, Abs(t)),
     (Min(t, 1) + Max(t, 1), t + 1),
     (step((sin(t) ** 2, t < 1), (1 - cos(t) ** 2, True)), (1 - cos(2 * t)) / 2),
@@ -161,6 +164,8 @@ def test_refuted_by_a_witness(left, right, witness):
     (sqrt(-x), I * sqrt(x)),
     (Max(x, y), (x + y + Abs(x - y)) / 2),
     (step((1, t < a), (0, True)), 1),
+    (Abs(t - sqrt(2) * I), 1),
+    (2 ** (2 ** (t + 2000)), 1),
     (Derivative(Abs(t), t), sign(t)),
     (Derivative(step((0, t < 0), (t, True)), t), step((0, t < 0), (1, True))),
     (Symbol("f") * sp.Function("f")(t), sp.Function("g")(t)),
@@ -255,3 +260,12 @@ def test_the_reason_says_where():
     assert "on the interval (-oo, 0) of t" in str(prove(step((1, t >= 0)), 1))
     assert "at t = 0" in str(prove(step((1, t > 0), (1, t < 0)), 1))
     assert "2 intervals" in str(prove(Max(0, t), step((0, t < 0), (t, True))))
+
+
+def test_answers_are_checked_by_the_same_verdicts():
+    assert check(2 * sin(t) * cos(t), sin(2 * t)).diagnosis == "Right."
+    hat = step((t, t < 1), (2 - t, True))
+    assert check(Min(t, 2 - t), hat).diagnosis == "Right."
+    assert "at t = 2 your answer gives 2" in check(t, hat).diagnosis.lower()
+    assert check(-exp(t), exp(t)).diagnosis == "The sign is reversed."
+    assert "could not be decided" in check(log(2 * t), log(2) + log(t)).diagnosis
