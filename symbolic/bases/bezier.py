@@ -10,6 +10,7 @@ import sympy as sp
 from ..exact import PARAMETER
 from ..exact_matrix import dense
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .basis import Basis, Geometry
 from .degree import degree_from
 
@@ -64,8 +65,8 @@ def _derivation(basis: Basis) -> Derivation:
 
     levels = [
         Step(
-            sp.Add(sp.Mul(1 - t, b(0, r - 1), evaluate=False),
-                   sp.Mul(t, b(1, r - 1), evaluate=False), evaluate=False),
+            plus(times(1 - t, b(0, r - 1)),
+                   times(t, b(1, r - 1))),
             b(0, r),
             f"level {r} of de Casteljau: (1 - t) and t times two points of level {r - 1}",
         )
@@ -77,7 +78,7 @@ def _derivation(basis: Basis) -> Derivation:
         f"{basis.name}: from de Casteljau to the matrix",
         (
             *levels,
-            Step(functions, sp.MatMul(row, basis.matrix, evaluate=False),
+            Step(functions, times(row, basis.matrix),
                  "the weights of the control points, collected by powers of t"),
             Step(sp.Add(*bernstein(n)), sp.S.One,
                  "the weights sum to one, so the curve moves along with its control points"),

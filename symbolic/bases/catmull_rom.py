@@ -19,6 +19,7 @@ from ..fields import common_field, is_radical
 from ..polynomials import Coefficients, expression
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
+from ..written import plus, times
 from .basis import Basis, Geometry
 from .constraints import Condition, derivative, value
 from .parameters import parameter_from, refuse_clash
@@ -149,13 +150,13 @@ def _derivation(basis: Basis, knots: tuple[sp.Expr, ...]) -> Derivation:
         title,
         (
             *_pyramid_steps(field, elements, knots),
-            Step(sp.MatMul(sp.ImmutableMatrix([basis.powers]), basis.matrix, evaluate=False),
+            Step(times(sp.ImmutableMatrix([basis.powers]), basis.matrix),
                  sp.ImmutableMatrix([basis.functions]),
                  "the weights of the four points in the last one, collected by powers of t"),
             Step(_condition(value(0), basis), sp.ImmutableMatrix([_POINTS[1]]), "it starts at P1"),
             Step(_condition(value(1), basis), sp.ImmutableMatrix([_POINTS[2]]), "it ends at P2"),
             *_tangent_steps(basis, knots),
-            Step(sp.Add(*basis.functions, evaluate=False), sp.S.One,
+            Step(plus(*basis.functions), sp.S.One,
                  "the weights sum to one, so the curve moves along with its control points"),
         ),
     )  # fmt: skip
@@ -176,7 +177,7 @@ def _pyramid_steps(field: Domain, elements: Sequence[Any], knots: Sequence[sp.Ex
                 f"level {r + 1}: between two points of level {r}, linear over "
                 f"[t_{first}, t_{last}] at u = t_1 + (t_2 - t_1) t"
             )
-            interpolated = sp.Add(_times(a, left), _times(b, right), evaluate=False)
+            interpolated = plus(times(a, left), times(b, right))
             steps.append(Step(interpolated, levels[r + 1][i], because))
     return steps
 
@@ -185,19 +186,15 @@ def _written_weights(knots: Sequence[sp.Expr], first: int, last: int) -> tuple[s
     """Return (t_last - u)/(t_last - t_first) and (u - t_first)/(t_last - t_first) as written."""
     u = knots[1] + (knots[2] - knots[1]) * PARAMETER
     length = sp.Pow(knots[last] - knots[first], -1, evaluate=False)
-    before = sp.Add(knots[last], _times(sp.S.NegativeOne, u), evaluate=False)
-    after = sp.Add(u, -knots[first], evaluate=False) if knots[first] else u
-    return _times(before, length), _times(after, length)
-
-
-def _times(left: sp.Expr, right: sp.Expr) -> sp.Expr:
-    return sp.Mul(left, right, evaluate=False)
+    before = plus(knots[last], times(sp.S.NegativeOne, u))
+    after = plus(u, -knots[first]) if knots[first] else u
+    return times(before, length), times(after, length)
 
 
 def _condition(condition: Condition, basis: Basis) -> sp.MatMul:
     """Return a condition's row times the matrix times the points: [1 1 1 1] M G is c(1)."""
     row, points = sp.ImmutableMatrix([condition.row(3)]), sp.ImmutableMatrix(_POINTS)
-    return sp.MatMul(row, basis.matrix, points, evaluate=False)
+    return times(row, basis.matrix, points)
 
 
 def _tangent_steps(basis: Basis, knots: Sequence[sp.Expr]) -> list[Step]:
@@ -219,6 +216,6 @@ def _tangent_steps(basis: Basis, knots: Sequence[sp.Expr]) -> list[Step]:
 def _tangent(at: int, gaps: Sequence[sp.Expr]) -> sp.Expr:
     before, after = gaps[at], gaps[at + 1]
     p, q, r = _POINTS[at : at + 3]
-    slopes = [_times(q - p, 1 / before), _times(p - r, 1 / (before + after)),
-              _times(r - q, 1 / after)]  # fmt: skip
-    return _times(gaps[1], sp.Add(*slopes, evaluate=False))
+    slopes = [times(q - p, 1 / before), times(p - r, 1 / (before + after)),
+              times(r - q, 1 / after)]  # fmt: skip
+    return times(gaps[1], plus(*slopes))

@@ -15,6 +15,7 @@ from ..exact import PARAMETER
 from ..exact_matrix import inverse, product, solution, to_matrix
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
+from ..written import times
 from .basis import Basis, Geometry
 from .constraints import Condition, row_of_powers
 from .demands import demand_rows, entries_of, read_constraints
@@ -152,23 +153,19 @@ def _derivation(
     finished = basis.matrix * sp.ImmutableMatrix([entry.symbol for entry in basis.geometry])
     given = ", ".join(map(str, basis.geometry))
     steps = [
-        Step(_times(powers, column), sp.ImmutableMatrix([[curve]]),
+        Step(times(powers, column), sp.ImmutableMatrix([[curve]]),
              "the curve c with unknown coefficients, highest power first"),
         *(Step(condition.of(curve, PARAMETER), row, f"{condition} in terms of the coefficients")
           for condition, row in zip(conditions, rows, strict=True)),
-        Step(_times(c, column), sp.ImmutableMatrix(rows),
+        Step(times(c, column), sp.ImmutableMatrix(rows),
              "the same rows as the left side of one linear system"),
-        Step(_times(c, c_inverse), sp.ImmutableMatrix(sp.eye(c.rows)),
+        Step(times(c, c_inverse), sp.ImmutableMatrix(sp.eye(c.rows)),
              "the inverse of the constraint matrix"),
-        Step(_times(c_inverse, right), basis.matrix,
+        Step(times(c_inverse, right), basis.matrix,
              f"the inverse times the right sides, in terms of ({given}), is the basis matrix"),
-        Step(_times(powers, basis.matrix), sp.ImmutableMatrix([basis.functions]),
+        Step(times(powers, basis.matrix), sp.ImmutableMatrix([basis.functions]),
              f"one blending function for each of {given}"),
-        Step(_times(c, finished), sp.ImmutableMatrix(combinations),
+        Step(times(c, finished), sp.ImmutableMatrix(combinations),
              f"the finished curve has {', '.join(map(str, conditions))} as demanded, row by row"),
     ]  # fmt: skip
     return Derivation(f"{basis.name}: from {len(conditions)} constraints", tuple(steps))
-
-
-def _times(left: sp.ImmutableMatrix, right: sp.ImmutableMatrix) -> sp.MatMul:
-    return sp.MatMul(left, right, evaluate=False)

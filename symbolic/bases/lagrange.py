@@ -15,6 +15,7 @@ from ..errors import BadType, BadValue, shown
 from ..exact import as_list
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .basis import Basis, Geometry
 from .constraints import value
 from .parameters import parameter_from, refuse_clash, refuse_high_roots
@@ -105,13 +106,13 @@ def _derivation(basis: Basis, nodes: tuple[sp.Expr, ...]) -> Derivation:
     field, elements = common_field(nodes)
     steps = []
     for i, own in enumerate(nodes):
-        numerator = sp.Mul(*(t - u for u in nodes[:i] + nodes[i + 1 :]), evaluate=False)
+        numerator = times(*(t - u for u in nodes[:i] + nodes[i + 1 :]))
         differences = [elements[i] - u for u in elements[:i] + elements[i + 1 :]]
-        scale = sp.Mul(*map(field.to_sympy, differences), evaluate=False)
+        scale = times(*map(field.to_sympy, differences))
         at_node = sp.Subs(numerator, t, own)
         steps += [
             Step(at_node, scale, f"one factor for every other node, not zero at {own}"),
-            Step(sp.Mul(numerator, sp.Pow(scale, -1, evaluate=False), evaluate=False),
+            Step(times(numerator, sp.Pow(scale, -1, evaluate=False)),
                  basis.functions[i], f"scaled to one at {own}: the function L_{i} of P{i}"),
         ]  # fmt: skip
     values = sp.ImmutableMatrix([value(u).row(n) for u in nodes])
@@ -121,11 +122,11 @@ def _derivation(basis: Basis, nodes: tuple[sp.Expr, ...]) -> Derivation:
         f"{basis.name}: from the zeros to the matrix",
         (
             *steps,
-            Step(sp.MatMul(powers, basis.matrix, evaluate=False),
+            Step(times(powers, basis.matrix),
                  sp.ImmutableMatrix([basis.functions]), "their coefficients make the matrix"),
-            Step(sp.MatMul(values, basis.matrix, evaluate=False), one,
+            Step(times(values, basis.matrix), one,
                  "Kronecker delta: row j has the values at node u_j, one for P_j and zero else"),
-            Step(sp.Add(*basis.functions, evaluate=False), sp.S.One,
+            Step(plus(*basis.functions), sp.S.One,
                  "a polynomial of degree n that is one at n + 1 nodes is one everywhere"),
         ),
     )  # fmt: skip

@@ -8,6 +8,7 @@ import sympy as sp
 
 from ..exact_matrix import dense
 from ..proofs.derivation import Derivation, Step
+from ..written import times
 from .basis import Basis, Geometry
 from .constraints import derivative, value
 from .degree import degree_from
@@ -55,7 +56,7 @@ def _derivation(basis: Basis) -> Derivation:
             *(Step((derivative(0, k) if k else value(0)).of(curve, basis.parameter),
                    sp.factorial(k) * a, f"Taylor: {a} is this divided by {k}!")
               for k, a in enumerate(coefficients)),
-            Step(sp.MatMul(powers, basis.matrix, evaluate=False),
+            Step(times(powers, basis.matrix),
                  sp.ImmutableMatrix([basis.functions]),
                  "the matrix turns t^n, ..., t, 1 round, into the order of a0, ..., an"),
         ),

@@ -10,6 +10,7 @@ from sympy.polys.matrices import DomainMatrix
 
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .basis import Basis, Geometry
 from .constraints import Condition
 from .degree import degree_from
@@ -86,14 +87,10 @@ def _recursion(r: int) -> list[sp.Expr]:
     below = _functions(r - 1)
     t = PARAMETER
     return [
-        sp.Add(*(_times((t + r - i) / r, below[i - 1]) for _ in range(i > 0)),
-               *(_times((i + 1 - t) / r, below[i]) for _ in range(i < r)), evaluate=False)
+        plus(*(times((t + r - i) / r, below[i - 1]) for _ in range(i > 0)),
+               *(times((i + 1 - t) / r, below[i]) for _ in range(i < r)))
         for i in range(r + 1)
     ]  # fmt: skip
-
-
-def _times(weight: sp.Expr, function: sp.Expr) -> sp.Expr:
-    return sp.Mul(weight, function, evaluate=False)
 
 
 def _derivation(basis: Basis) -> Derivation:
@@ -115,15 +112,14 @@ def _derivation(basis: Basis) -> Derivation:
         f"{basis.name}: from Cox and de Boor to the matrix",
         (
             *levels,
-            Step(sp.MatMul(row, m, evaluate=False), sp.ImmutableMatrix([_functions(n)]),
+            Step(times(row, m), sp.ImmutableMatrix([_functions(n)]),
                  "the last level, collected by powers of t, is the matrix"),
-            Step(sp.Add(*_functions(n), evaluate=False), sp.S.One,
+            Step(plus(*_functions(n)), sp.S.One,
                  "the functions sum to one, so the curve moves along with its control points"),
-            Step(sp.MatMul(end, m, first, evaluate=False),
-                 sp.MatMul(start, m, second, evaluate=False),
+            Step(times(end, m, first),
+                 times(start, m, second),
                  f"derivatives 0 ... {n - 1} at the end of a segment and at the start of the next"),
-            Step(sp.Add((highest * second)[0], _times(sp.S.NegativeOne, (highest * first)[0]),
-                        evaluate=False), sp.Add(*jump),
+            Step(plus((highest * second)[0], times(-1, (highest * first)[0])), sp.Add(*jump),
                  f"derivative {n} jumps by a difference of order {n + 1} of the control points"),
         ),
     )  # fmt: skip

@@ -13,9 +13,10 @@ from sympy.polys.domains.domain import Domain
 
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, as_list, by_name, exact, whole_number
-from ..interval import read_interval
+from ..parameter_interval import read_interval
 from ..polynomials import polynomials
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 
 
 @dataclass(frozen=True, eq=False, repr=False)
@@ -216,8 +217,7 @@ def _elementary(arguments: Sequence[Any], one: Any) -> list[Any]:
 def _weighted(w: sp.Symbol, left: Any, right: Any) -> Any:
     if isinstance(left, tuple):
         return tuple(_weighted(w, a, b) for a, b in zip(left, right, strict=True))
-    return sp.Add(sp.Mul(1 - w, left, evaluate=False), sp.Mul(w, right, evaluate=False),
-                  evaluate=False)  # fmt: skip
+    return plus(times(1 - w, left), times(w, right))  # fmt: skip
 
 
 def _step(left: Any, right: Any, because: str) -> Step:

@@ -12,6 +12,7 @@ from sympy.polys.domains.domain import Domain
 
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .conditions import derivative_at
 from .connection import chain_rows
 from .contact import first_not_zero, multiple
@@ -38,7 +39,7 @@ def _residual_steps(
     steps = []
     for j, residual in enumerate(joint.residuals):
         values = [
-            derivative_at(right, j, 0) - sp.Mul(ratio**j, derivative_at(left, j, 1), evaluate=False)
+            derivative_at(right, j, 0) - times(ratio**j, derivative_at(left, j, 1))
             for left, right in zip(before.curve, after.curve, strict=True)
         ]
         fails = joint.parametric == j - 1
@@ -98,16 +99,12 @@ def _parallel_step(vector: Vector, of: Vector, field: Domain, why: str) -> Step:
     e = field.to_sympy
     factor = multiple(vector, of, field)
     if factor is not None:
-        side = sp.MatMul(e(factor), _row(map(e, of)), evaluate=False)
+        side = times(e(factor), _row(map(e, of)))
         return Step(_row(map(e, vector)), side, why)
     x, y = next(
         (x, y) for x, y in combinations(range(len(of)), 2) if vector[x] * of[y] - vector[y] * of[x]
     )
-    determinant = sp.Add(
-        sp.Mul(e(vector[x]), e(of[y]), evaluate=False),
-        sp.Mul(-e(vector[y]), e(of[x]), evaluate=False),
-        evaluate=False,
-    )
+    determinant = plus(times(e(vector[x]), e(of[y])), times(-e(vector[y]), e(of[x])))
     value = e(vector[x] * of[y] - vector[y] * of[x])
     return Step(determinant, value, f"{why}: their determinant is not zero")
 
@@ -116,7 +113,7 @@ def _sums(row: Sequence[Any], p: Sequence[Vector], field: Domain) -> sp.Immutabl
     """Return sum M_ji p^(i)(1) with its terms kept apart."""
     e = field.to_sympy
     columns = [
-        [sp.Mul(e(m), e(p[i][x]), evaluate=False) for i, m in enumerate(row) if m and any(p[i])]
+        [times(e(m), e(p[i][x])) for i, m in enumerate(row) if m and any(p[i])]
         for x in range(len(p[0]))
     ]
     return _row([sp.Add(*terms, evaluate=len(terms) < 2) for terms in columns])

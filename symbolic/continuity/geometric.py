@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .conditions import JointConditions, derivative_steps, difference, solution_steps
 from .connection import connection_matrix
 from .parameters import read_betas, read_degree, read_order, refuse_names
@@ -63,7 +64,7 @@ def _derivation(joint: JointConditions) -> Derivation:
     steps = [
         *derivative_steps(joint),
         *chain_steps(matrix, joint.betas),
-        Step(sp.MatMul(matrix, sp.ImmutableMatrix(ends), evaluate=False),
+        Step(times(matrix, sp.ImmutableMatrix(ends)),
              sp.ImmutableMatrix(asked),
              "the matrix times the derivatives of this segment: those asked of the next one"),
         *solution_steps(joint),
@@ -80,10 +81,9 @@ def chain_steps(matrix: sp.ImmutableMatrix, betas: tuple[sp.Expr, ...]) -> list[
     steps = []
     for j in range(1, matrix.rows):
         row = [
-            sp.Add(
-                *(sp.Mul(comb(j - 1, m - 1), betas[m - 1], matrix[j - m, i - 1], evaluate=False)
-                  for m in range(1, j - i + 2)), evaluate=False
-            )
+            plus(
+                *(times(comb(j - 1, m - 1), betas[m - 1], matrix[j - m, i - 1])
+                  for m in range(1, j - i + 2)))
             for i in range(1, j + 1)
         ]  # fmt: skip
         steps.append(

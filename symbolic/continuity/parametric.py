@@ -104,9 +104,9 @@ def a_frame(left: Any, right: Any, ratio: Any = 1) -> tuple[Point, Point]:
         )
     if len(p) < 3:
         raise BadValue("segments of degree 2 or more", f"{len(p) - 1}", "Use elevate_degree.")
-    minus = tuple(b + scale * (b - a) for a, b in zip(p[-3], p[-2], strict=True))
-    plus = tuple(a + (a - b) / scale for a, b in zip(q[1], q[2], strict=True))
-    return minus, plus
+    before = tuple(b + scale * (b - a) for a, b in zip(p[-3], p[-2], strict=True))
+    after = tuple(a + (a - b) / scale for a, b in zip(q[1], q[2], strict=True))
+    return before, after
 
 
 def _derivation(joint: JointConditions, scale: sp.Expr) -> Derivation:
@@ -122,10 +122,10 @@ def _derivation(joint: JointConditions, scale: sp.Expr) -> Derivation:
           if level != point),
     ]  # fmt: skip
     if joint.order >= 2:
-        minus, plus = a_frame([[p] for p in joint.given], [[q] for q in joint.next], scale)
-        found = substitute(plus, dict(zip(joint.next, joint.points, strict=False)))
+        before, after = a_frame([[p] for p in joint.given], [[q] for q in joint.next], scale)
+        found = substitute(after, dict(zip(joint.next, joint.points, strict=False)))
         steps.append(
-            Step(found[0], minus[0], "the A-frame: d+ of the next segment is d- of this one")
+            Step(found[0], before[0], "the A-frame: d+ of the next segment is d- of this one")
         )
     if joint.order == n:
         following = combination(joint.points, bernstein(n))

@@ -9,6 +9,7 @@ import sympy as sp
 from ..bases.bezier import bernstein
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .conditions import combination, derivative_at, difference
 from .continuity_at import continuity_at
 from .parameters import read_degree
@@ -73,9 +74,9 @@ def a_frame_closes(n: int) -> Derivation:
     """
     first, second = parametric_continuity(n, 1, RATIO), parametric_continuity(n, 2, RATIO)
     following = [[q] for q in (*first.points, *first.next[2:])]
-    (minus,), (plus,) = a_frame([[p] for p in first.given], following, RATIO)
+    (before,), (after,) = a_frame([[p] for p in first.given], following, RATIO)
     residual = second.conditions[2][1] - difference([q for (q,) in following[:3]])
-    product = sp.Mul(RATIO, sp.Add(plus, -minus, evaluate=False), evaluate=False)
+    product = times(RATIO, plus(after, -before))
     why = "r (d+ - d-) is what the second differences of a C^1 joint lack to C^2"
     return Derivation(f"The A-frame of a C^1 joint of degree {n}", (Step(product, residual, why),))
 

@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..blossoms.blossom import blossom
 from ..exact import PARAMETER, Point, as_list
-from ..interval import read_interval
+from ..parameter_interval import read_interval
 
 
 def polynomial_to_bezier(

@@ -9,7 +9,7 @@ import sympy as sp
 
 from ..errors import BadType, BadValue, shown
 from ..exact import Point, as_list, exact, exact_points
-from ..interval import read_interval
+from ..parameter_interval import read_interval
 
 Levels = tuple[tuple[Point, ...], ...]
 

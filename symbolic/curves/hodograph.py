@@ -8,7 +8,7 @@ import sympy as sp
 
 from ..errors import BadValue, shown
 from ..exact import Point, exact_points, whole_number
-from ..interval import read_interval
+from ..parameter_interval import read_interval
 
 
 def hodograph(points: Any, order: int = 1, interval: Any = (0, 1)) -> tuple[Point, ...]:

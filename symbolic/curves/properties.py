@@ -10,6 +10,7 @@ from ..bases.bezier import bernstein, bezier
 from ..dag import substitute
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
+from ..written import plus
 
 t = PARAMETER
 
@@ -39,8 +40,8 @@ def partition_of_unity(n: int) -> Derivation:
     >>> print(partition_of_unity(1).steps[1])
     t + (1 - t) = 1, because the two terms cancel
     """
-    total = _sum(_weights(n))
-    binomial = sp.Pow(_sum((1 - t, t)), n, evaluate=False)
+    total = plus(*_weights(n))
+    binomial = sp.Pow(plus(1 - t, t), n, evaluate=False)
     return Derivation(
         f"Partition of unity, degree {n}",
         (
@@ -99,7 +100,7 @@ def affine_invariance(n: int) -> Derivation:
     a, b, d = sp.symbols("a b d")
     x, y = sp.symbols(f"x0:{n + 1}"), sp.symbols(f"y0:{n + 1}")
     mapped = [a * p + b * q + d for p, q in zip(x, y, strict=True)]
-    total = _sum(weights)
+    total = plus(*weights)
     return Derivation(
         f"Affine invariance, degree {n}",
         (
@@ -129,7 +130,7 @@ def linear_precision(n: int) -> Derivation:
         (
             *(Step(terms[i], t * lower[i - 1], f"{i}/{n} C({n}, {i}) = C({n - 1}, {i - 1})")
               for i in range(1, n + 1)),
-            Step(_sum(terms), t, "t times the weights of one degree less, which sum to one"),
+            Step(plus(*terms), t, "t times the weights of one degree less, which sum to one"),
             Step(_curve(weights, spaced), p + t * (q - p),
                  "so equally spaced points from P to Q give the segment from P to Q"),
         ),
@@ -232,8 +233,3 @@ def _points(n: int) -> tuple[sp.Symbol, ...]:
 
 def _curve(weights: Sequence[sp.Expr], points: Sequence[sp.Expr]) -> sp.Expr:
     return sp.Add(*(w * p for w, p in zip(weights, points, strict=True)))
-
-
-def _sum(terms: Sequence[sp.Expr]) -> sp.Add:
-    """Return a sum that is not carried out, so that a reader sees its terms."""
-    return sp.Add(*terms, evaluate=False)

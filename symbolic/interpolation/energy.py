@@ -11,6 +11,7 @@ from ..dag import substitute
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
+from ..written import plus
 from .cubic_spline import InterpolatingSpline, energy_of_span
 
 t = PARAMETER
@@ -88,7 +89,7 @@ def _of_coordinate(spline: InterpolatingSpline, axis: int) -> list[Step]:
                  span + "the energy of g, the integral of a square and so not negative"),
         ]  # fmt: skip
     because = f"{name}over all spans the mixed terms cancel, by the {spline.ends} ends"
-    return [*steps, Step(sp.Add(*crossed, evaluate=False), sp.S.Zero, because)]
+    return [*steps, Step(plus(*crossed), sp.S.Zero, because)]
 
 
 def _freedoms(spline: InterpolatingSpline) -> tuple[list[sp.Expr], list[sp.Expr]]:

@@ -13,6 +13,7 @@ from ..exact import PARAMETER, as_list, exact, whole_number
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
 from ..splines.conversion import Segment
+from ..written import plus
 
 t = PARAMETER
 
@@ -96,7 +97,7 @@ def runge_phenomenon(n: int) -> Derivation:
             *(Step(sp.Subs(polynomial, t, node), _runge(node), f"the polynomial meets it at {node}")
               for node in nodes),
             Step(sp.Subs(polynomial, t, middle), value, "but in the middle of the last span"),
-            Step(sp.Add(value, -_runge(middle), evaluate=False), value - _runge(middle),
+            Step(plus(value, -_runge(middle)), value - _runge(middle),
                  "less the function itself: its error there"),
         ),
     )  # fmt: skip

@@ -11,6 +11,7 @@ from ..exact import Point, by_name, exact, exact_points
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
+from ..written import plus
 from .homogeneous import decidable_field, quotient
 from .rational_bezier import RationalBezier
 
@@ -127,9 +128,9 @@ def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> D
     mx, my = plane_point(center)
     r = by_name(exact(radius))
     (x, y), w = curve.fractions
-    left = sp.Add((x - mx * w) ** 2, (y - my * w) ** 2, evaluate=False)
+    left = plus((x - mx * w) ** 2, (y - my * w) ** 2)
     c = curve.curve()
-    quotients = sp.Add((c[0] - mx) ** 2, (c[1] - my) ** 2, evaluate=False)
+    quotients = plus((c[0] - mx) ** 2, (c[1] - my) ** 2)
     return Derivation(
         f"A rational curve on the circle of radius {r}",
         (

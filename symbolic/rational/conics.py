@@ -17,6 +17,7 @@ from ..fields import common_field
 from ..polynomials import polynomials
 from ..proofs.derivation import Derivation, Step
 from ..signs import sign
+from ..written import plus, times
 from .homogeneous import decidable_field, quotient
 from .rational_bezier import RationalBezier
 
@@ -204,7 +205,7 @@ def _proper(conic: Conic) -> list[Step]:
     numerators, w = conic.curve.fractions
     shares = [weight * b for weight, b in zip((w0, w1, w2), bernstein(2), strict=True)]
     a, b, c = w0 - 2 * w1 + w2, 2 * w1 - 2 * w0, w0
-    disc = sp.Add(sp.Pow(b, 2, evaluate=False), sp.Mul(-4, a, c, evaluate=False), evaluate=False)
+    disc = plus(sp.Pow(b, 2, evaluate=False), times(-4, a, c))
     signs = {"ellipse": "negative: none", "parabola": "zero: one", "hyperbola": "positive: two"}
     steps = [
         Step(sp.Add(*shares), w, "the denominator; where it is zero, the curve is at infinity"),
@@ -214,13 +215,13 @@ def _proper(conic: Conic) -> list[Step]:
     if w1 != 0:
         steps.append(
             Step(sp.Pow(shares[1], 2, evaluate=False),
-                 sp.Mul(4 * conic.shape_factor, shares[0], shares[2], evaluate=False),
+                 times(4 * conic.shape_factor, shares[0], shares[2]),
                  "in barycentric coordinates of the control points: a quadratic equation")
         )  # fmt: skip
     if conic.is_circle and conic.center:
         (*radial, radius_squared), _ = _radial(conic.curve, conic.center)
         steps.append(
-            Step(sp.Add(*(p**2 for p in radial), evaluate=False), radius_squared * w**2,
+            Step(plus(*(p**2 for p in radial)), radius_squared * w**2,
                  f"times W^2: all points have one distance from the center {conic.center}")
         )  # fmt: skip
     return steps
@@ -232,4 +233,4 @@ def _degenerate(conic: Conic) -> list[Step]:
     homogeneous = sp.ImmutableMatrix(conic.curve.homogeneous)
     zero = sp.ImmutableMatrix.zeros(1, homogeneous.cols)
     because = "the homogeneous control points are dependent: the curve stays on a line"
-    return [Step(sp.MatMul(combination, homogeneous, evaluate=False), zero, because)]
+    return [Step(times(combination, homogeneous), zero, because)]

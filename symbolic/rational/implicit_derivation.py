@@ -9,6 +9,7 @@ import sympy as sp
 
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .bezout import bezout_matrix
 from .homogeneous import quotient
 
@@ -31,7 +32,7 @@ def derive(
         )
     )
     powers = [sp.ImmutableMatrix([[u**k for k in range(n)]]) for u in (t, s)]
-    cayley = sp.MatMul(sp.ImmutableMatrix([[t - s]]), powers[0], rows, powers[1].T, evaluate=False)
+    cayley = times(sp.ImmutableMatrix([[t - s]]), powers[0], rows, powers[1].T)
     crossed = f * g.subs(t, s) - f.subs(t, s) * g
     steps = [Step(sp.ImmutableMatrix([[crossed]]), cayley,
                   "Bezout's matrix, without its factor t - s: where x W - X and y W - Y have a "
@@ -56,8 +57,8 @@ def _determinant_step(
     f, whole = (sp.Poly(e, *symbols) for e in (equation, sp.Add(*products)))
     power = n // f.total_degree()
     return Step(
-        sp.Add(*products, evaluate=False),
-        sp.Mul(quotient(whole.LC(), f.LC() ** power), equation**power, evaluate=False),
+        plus(*products),
+        times(quotient(whole.LC(), f.LC() ** power), equation**power),
         "its determinant" + (", a power: the curve is traced more than once" if power > 1 else ""),
     )
 
@@ -71,4 +72,4 @@ def _substitution(
     terms = [c * x**i * y**j * w ** (degree - i - j) for (i, j), c in polynomial.terms()]
     times = "" if w == 1 else f", times W^{degree}"
     because = f"x = X/W and y = Y/W put in{times}: every point of the curve satisfies the equation"
-    return Step(sp.Add(*terms, evaluate=False), sp.S.Zero, because)
+    return Step(plus(*terms), sp.S.Zero, because)

@@ -16,6 +16,7 @@ from ..splines.de_boor import de_boor
 from ..splines.insertion import insert
 from ..splines.knots import KnotVector
 from ..splines.weights import read_points
+from ..written import plus
 from .homogeneous import (
     RationalLevels,
     lifted,
@@ -144,7 +145,7 @@ class NURBS:
             ]
             rows = self.homogeneous[j - self.degree : j + 1]
             *numerators, w = (
-                sp.Add(*(n * x for n, x in zip(on_span, column, strict=True)), evaluate=False)
+                plus(*(n * x for n, x in zip(on_span, column, strict=True)))
                 for column in zip(*rows, strict=True)
             )
             steps.append(

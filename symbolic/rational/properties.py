@@ -11,6 +11,7 @@ from ..bases.bezier import bernstein
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, whole_number
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .without_weights import no_polynomial_circle, polynomial_conics
 
 t = PARAMETER
@@ -45,7 +46,7 @@ def equal_weights(n: int = 2) -> Derivation:
     True
     """
     functions, points, w = bernstein(n), _points(n), sp.Symbol("w")
-    denominator = sp.Add(*(w * b for b in functions), evaluate=False)
+    denominator = plus(*(w * b for b in functions))
     numerator = sp.Add(*(w * p * b for p, b in zip(points, functions, strict=True)))
     return Derivation(
         "Equal weights",
@@ -74,7 +75,7 @@ def rational_de_casteljau(n: int = 2) -> Derivation:
         h0, h1, h = (_sum(lifted[i:], bernstein(k)) for i, k in ((0, r - 1), (1, r - 1), (0, r)))
         mean = (1 - t) * w0 / w * (h0 / w0) + t * w1 / w * (h1 / w1)
         if r > 1:
-            blend = sp.Add(sp.Mul(1 - t, w0, evaluate=False), sp.Mul(t, w1, evaluate=False))
+            blend = sp.Add(times(1 - t, w0), times(t, w1))
             steps.append(Step(blend, w, f"level {r}: the weight, by de Casteljau for numbers"))
         steps.append(
             Step(mean, h / w, f"level {r}: the mean of two points of level {r - 1}; its "
@@ -164,8 +165,8 @@ def projective_invariance(n: int = 2) -> Derivation:
     return Derivation(
         "Projective invariance",
         (
-            Step(sp.MatMul(functions, rows * m.T, evaluate=False),
-                 sp.MatMul(functions * rows, m.T, evaluate=False),
+            Step(times(functions, rows * m.T),
+                 times(functions * rows, m.T),
                  "in homogeneous coordinates the map is linear: mapping the control points maps "
                  "(X, Y, W), the sums with Bernstein polynomials"),
             Step([image[0] / image[2], image[1] / image[2]], mapped,

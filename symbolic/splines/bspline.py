@@ -13,6 +13,7 @@ from ..blossoms.blossom import Blossom, blossom
 from ..errors import BadValue, shown
 from ..exact import Point
 from ..proofs.derivation import Derivation, Step
+from ..written import plus
 from . import calculus, conversion, cox_de_boor, discretization, insertion, multiplicity
 from . import de_boor as evaluation
 from .knots import KnotVector
@@ -194,7 +195,7 @@ class BSpline:
         steps = cox_de_boor.triangle_steps(levels)
         if self.degree:
             last = [entry.polynomial for entry in levels[-1]]
-            whole = sp.Add(*last, evaluate=False)
+            whole = plus(*last)
             steps.append(Step(whole, sp.S.One, "the functions on the span sum to one"))
         for j in self.knots.spans[1:]:
             steps.extend(multiplicity.continuity_derivation(self.knots, self.knots.knots[j]).steps)

@@ -11,6 +11,7 @@ from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, by_name, exact, whole_number
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .cox_de_boor import triangle
 from .de_boor import de_boor
 from .knots import KnotVector
@@ -146,10 +147,10 @@ def derivative_derivation(knots: KnotVector, span: Any) -> Derivation:
         i = entry.index
         terms = []
         if i in lower:
-            terms.append(sp.Mul(p / (u[i + p] - u[i]), lower[i], evaluate=False))
+            terms.append(times(p / (u[i + p] - u[i]), lower[i]))
         if i + 1 in lower:
-            terms.append(sp.Mul(-p / (u[i + p + 1] - u[i + 1]), lower[i + 1], evaluate=False))
-        right = sp.Add(*terms, evaluate=False) if len(terms) > 1 else terms[0]
+            terms.append(times(-p / (u[i + p + 1] - u[i + 1]), lower[i + 1]))
+        right = plus(*terms) if len(terms) > 1 else terms[0]
         steps.append(
             Step(sp.Derivative(entry.polynomial, PARAMETER), right,
                  f"the derivative of {entry.name} from the functions of degree {p - 1}")

@@ -11,6 +11,7 @@ from sympy.polys.matrices import DomainMatrix
 from ..bases.basis import Basis, Geometry
 from ..exact import PARAMETER, Point
 from ..proofs.derivation import Derivation, Step
+from ..written import times
 from .cox_de_boor import local_triangle, triangle_steps
 from .knots import KnotVector
 from .weights import Row, blossom_weights, combined, control_symbols, power_rows, read_points
@@ -99,9 +100,9 @@ def _derivation(basis: Basis, knots: KnotVector, span: int) -> Derivation:
         f"{basis.name}: from Cox and de Boor to the matrix",
         (
             *triangle_steps(levels),
-            Step(sp.MatMul(sp.ImmutableMatrix([basis.powers]), basis.matrix, evaluate=False), last,
+            Step(times(sp.ImmutableMatrix([basis.powers]), basis.matrix), last,
                  "the last level, collected by powers of t, is the basis matrix"),
-            Step(sp.MatMul(basis.matrix, sp.ImmutableMatrix([1] * size), evaluate=False), constant,
+            Step(times(basis.matrix, sp.ImmutableMatrix([1] * size)), constant,
                  "the functions sum to one: the curve moves along with its control points"),
         ),
         "Qin, General matrix representations for B-splines, 2000",

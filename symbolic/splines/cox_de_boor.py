@@ -14,6 +14,7 @@ from ..errors import BadValue, shown
 from ..exact import PARAMETER, whole_number
 from ..polynomials import expression
 from ..proofs.derivation import Step
+from ..written import plus, times
 from .knots import KnotVector
 from .weights import power_rows
 
@@ -205,11 +206,11 @@ def triangle_steps(levels: tuple[tuple[Entry, ...], ...]) -> list[Step]:
         known = {entry.index: entry.polynomial for entry in below}
         for entry in level:
             terms = [
-                sp.Mul(weight, known[i], evaluate=False)
+                times(weight, known[i])
                 for weight, i in ((entry.left, entry.index), (entry.right, entry.index + 1))
                 if i in known
             ]
-            side = sp.Add(*terms, evaluate=False) if len(terms) > 1 else terms[0]
+            side = plus(*terms) if len(terms) > 1 else terms[0]
             steps.append(
                 Step(side, entry.polynomial, f"the recursion of Cox and de Boor for {entry.name}")
             )

@@ -10,6 +10,7 @@ from ..bases.bezier import bernstein
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, whole_number
 from ..proofs.derivation import Derivation, Step
+from ..written import times
 from .conversion import bezier_rows
 from .knots import KnotVector
 from .weights import Row, as_matrix, blossom_weights
@@ -98,9 +99,9 @@ def discretization_derivation(knots: KnotVector, m: int) -> Derivation:
     return Derivation(
         f"Rendering with {m + 1} samples on each of {len(knots.spans)} spans",
         (
-            Step(sp.MatMul(samples, bezier_matrix(knots), evaluate=False), whole,
+            Step(times(samples, bezier_matrix(knots)), whole,
                  "Bernstein samples times Bezier points: q = A v and v = B p, so q = A B p"),
-            Step(sp.MatMul(whole, ones, evaluate=False), sp.ImmutableMatrix([1] * whole.rows),
+            Step(times(whole, ones), sp.ImmutableMatrix([1] * whole.rows),
                  "each row sums to one: samples move along with the control points"),
         ),
     )  # fmt: skip

@@ -10,6 +10,7 @@ import sympy as sp
 from ..errors import BadType, shown
 from ..exact import Point, as_list, whole_number
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .cox_de_boor import basis_functions
 from .knots import KnotVector
 from .weights import Row, as_matrix, blossom_weights, combined, control_symbols, read_points
@@ -146,9 +147,9 @@ def insertion_derivation(knots: KnotVector, t: Any) -> Derivation:
         blossom_value = _written(refined, oslo[i], points)
         arguments = ", ".join(map(str, refined.knots[i + 1 : i + p + 1]))
         ratio = (at - u[i]) / (u[i + p] - u[i])
-        leg = sp.Mul(ratio, points[i] - points[i - 1], evaluate=False)
+        leg = times(ratio, points[i] - points[i - 1])
         steps.append(
-            Step(sp.Add(points[i - 1], leg, evaluate=False), blossom_value,
+            Step(plus(points[i - 1], leg), blossom_value,
                  f"the new point {i}: t = {at} divides [{u[i]}, {u[i + p]}]; it is the blossom "
                  f"value f({arguments})")
         )  # fmt: skip
@@ -181,4 +182,4 @@ def _on_span(knots: KnotVector, start: sp.Expr) -> list[sp.Expr]:
 
 
 def _product(functions: Sequence[sp.Expr], points: Sequence[sp.Expr]) -> sp.MatMul:
-    return sp.MatMul(sp.ImmutableMatrix([functions]), sp.ImmutableMatrix(points), evaluate=False)
+    return times(sp.ImmutableMatrix([functions]), sp.ImmutableMatrix(points))

@@ -11,6 +11,7 @@ from ..bases.constraints import Condition
 from ..errors import BadValue
 from ..exact import PARAMETER, by_name, exact
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .conversion import segments
 from .knots import KnotVector
 from .weights import Row, as_matrix, control_symbols, power_rows
@@ -86,7 +87,7 @@ def continuity_derivation(knots: KnotVector, at: Any) -> Derivation:
              f"the same {_ordinal(r)} right and left of {at}")
         for r in range(order + 1)
     ]  # fmt: skip
-    difference = sp.Add(after, sp.Mul(-1, before, evaluate=False), evaluate=False)
+    difference = plus(after, times(-1, before))
     jump = jumps(knots, at)[order + 1, :]
     steps.append(
         Step(Condition(at, order + 1).of(difference, t),
