@@ -26,6 +26,20 @@ MAY_IMPORT_LATE = {
 }
 
 
+# The rooms inside symbolic, each with those it may use besides the files at its root.
+INSIDE_SYMBOLIC = {
+    "proofs": set(),
+    "answers": {"proofs"},
+    "bases": {"proofs"},
+    "blossoms": {"proofs"},
+    "curves": {"proofs", "bases", "blossoms"},
+    "splines": {"proofs", "bases", "blossoms"},
+    "interpolation": {"proofs", "bases", "splines"},
+    "continuity": {"proofs", "bases", "curves"},
+    "rational": {"proofs", "bases", "curves", "splines"},
+}
+
+
 def imports(source: str) -> set[tuple[str, bool]]:
     """Return (top-level module, whether inside a function) of every absolute import."""
     found = set()
@@ -68,3 +82,19 @@ def test_a_room_imports_only_what_lies_below_it(room: str) -> None:
 def test_imports_are_seen_wherever_they_stand() -> None:
     source = "from . import a\nimport b.c\ndef f():\n    from d.e import g\n    import_module('h')"
     assert imports(source) == {("b", False), ("d", True), ("import_module", True)}
+
+
+def test_every_room_of_symbolic_is_on_the_list() -> None:
+    rooms = {path.parent.name for path in (ROOT / "symbolic").glob("*/__init__.py")}
+    assert rooms == INSIDE_SYMBOLIC.keys()
+
+
+@pytest.mark.parametrize("room", INSIDE_SYMBOLIC)
+def test_a_room_of_symbolic_imports_only_what_lies_below_it(room: str) -> None:
+    used = {
+        str(node.module).split(".")[0]
+        for path in (ROOT / "symbolic" / room).glob("*.py")
+        for node in ast.walk(ast.parse(path.read_text("utf-8")))
+        if isinstance(node, ast.ImportFrom) and node.level == 2 and node.module
+    }
+    assert used & INSIDE_SYMBOLIC.keys() <= INSIDE_SYMBOLIC[room]
