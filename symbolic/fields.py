@@ -17,7 +17,7 @@ from sympy.polys.domains.domain import Domain
 
 from .dag import postorder
 from .errors import BadValue, shown
-from .radicals import is_radical, orders, prime_roots
+from .radicals import coprime_orders, is_radical, roots_of
 
 HIGHEST_ALGEBRAIC_DEGREE = 8
 
@@ -26,8 +26,8 @@ def common_field(expressions: Iterable[sp.Expr]) -> tuple[Domain, list[Any]]:
     """Return the smallest field that holds all the expressions, and their elements.
 
     Symbols are free; radicals of rationals are algebraic numbers, or, where their field would have
-    a degree above 8, the roots of primes in them are free generators too: what holds for these
-    holds for the numbers. `field.to_sympy(element)` leads back.
+    a degree above 8, free generators too: what holds for these holds for the numbers.
+    `field.to_sympy(element)` leads back.
 
     Raises
     ------
@@ -55,8 +55,8 @@ def common_field(expressions: Iterable[sp.Expr]) -> tuple[Domain, list[Any]]:
                 "Put a symbol in its place.",
             )
     symbols = sorted({node for node in nodes if node.is_Symbol}, key=str)
-    degrees = orders(node for node in nodes if is_radical(node))
-    field, roots = _field(tuple(symbols), tuple(degrees.items()))
+    found = coprime_orders(node for node in nodes if is_radical(node))
+    field, roots = _field(tuple(symbols), tuple(found.items()))
     values: dict[int, Any] = {}
     try:
         for node in nodes:
@@ -75,30 +75,26 @@ def operands(node: sp.Basic) -> tuple[sp.Basic, ...]:
     return ()
 
 
-def degree_of_roots(degrees: Iterable[tuple[int, int]]) -> int:
-    """Return the degree that roots of primes have together, or a bound if there are roots of -1."""
-    return prod(n if prime > 0 else int(sp.totient(2 * n)) for prime, n in degrees)
+def _degree(orders: Iterable[tuple[int, int]]) -> int:
+    """Return the degree of independent roots together, or a bound where -1 is among the bases."""
+    return prod(n if base > 0 else int(sp.totient(2 * n)) for base, n in orders)
 
 
 @lru_cache(maxsize=256)
 def _field(
-    symbols: tuple[sp.Symbol, ...], degrees: tuple[tuple[int, int], ...]
+    symbols: tuple[sp.Symbol, ...], orders: tuple[tuple[int, int], ...]
 ) -> tuple[Domain, dict[int, tuple[int, Any]]]:
-    """Return the field, and for every prime the order of its root and the root in the field."""
-    field: Any = sp.QQ
-    roots = [sp.Pow(prime, sp.Rational(1, n)) for prime, n in degrees]
-    if degree_of_roots(degrees) > HIGHEST_ALGEBRAIC_DEGREE:
-        field = field.frac_field(*symbols, *roots)
+    """Return the field, and for every base the order of its root and the root in the field."""
+    roots = [sp.Pow(base, sp.Rational(1, n)) for base, n in orders]
+    numbers: Any = sp.QQ
+    if _degree(orders) > HIGHEST_ALGEBRAIC_DEGREE:
+        field = numbers.frac_field(*symbols, *roots)
+        elements = field.gens[len(symbols) :]
     else:
-        if roots:
-            field = field.algebraic_field(*roots)
-        numbers = field
-        if symbols:
-            field = field.frac_field(*symbols)
+        numbers = numbers.algebraic_field(*roots) if roots else numbers
+        field = numbers.frac_field(*symbols) if symbols else numbers
         elements = [field.convert_from(numbers.from_sympy(root), numbers) for root in roots]
-        return field, {p: (n, e) for (p, n), e in zip(degrees, elements, strict=True)}
-    elements = field.gens[len(symbols) :]
-    return field, {p: (n, e) for (p, n), e in zip(degrees, elements, strict=True)}
+    return field, {base: (n, e) for (base, n), e in zip(orders, elements, strict=True)}
 
 
 def _element(
@@ -115,9 +111,9 @@ def _element(
         return below[0] ** exponent
     if not is_radical(node):
         return field.from_sympy(node)
-    rational, powers = prime_roots(node)
+    rational, powers = roots_of(node, roots)
     element = field.from_sympy(rational)
-    for prime, exponent in powers.items():
-        order, root = roots[prime]
+    for base, exponent in powers.items():
+        order, root = roots[base]
         element *= root ** int(exponent * order)
     return element

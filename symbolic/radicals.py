@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from functools import lru_cache
-from math import lcm
+from math import gcd, lcm
 
 import sympy as sp
 
@@ -39,17 +39,23 @@ def prime_roots(radical: sp.Expr) -> tuple[sp.Rational, dict[int, sp.Rational]]:
     >>> prime_roots(sp.Pow(-8, sp.Rational(2, 3), evaluate=False))
     (4, {-1: 2/3})
     """
-    base, exponent = (sp.S.NegativeOne, sp.S.Half) if radical is sp.I else radical.args
-    powers: dict[int, sp.Rational] = {}
-    for part, direction in ((abs(base.p), 1), (base.q, -1)):
-        for prime, count in _factors(int(part)):
-            powers[prime] = powers.get(prime, sp.S.Zero) + direction * count * exponent
+    return roots_of(radical, (prime for part in _parts(radical) for prime, _ in _factors(part)))
+
+
+def roots_of(radical: sp.Expr, bases: Iterable[int]) -> tuple[sp.Rational, dict[int, sp.Rational]]:
+    """Split a root of a rational into a rational and powers of bases, of which it is a product.
+
+    >>> roots_of(sp.sqrt(15), [3, 5]), roots_of(sp.sqrt(15), [15])
+    ((1, {3: 1/2, 5: 1/2}), (1, {15: 1/2}))
+    """
+    base, exponent = _base_and_exponent(radical)
+    powers = {b: (_multiplicity(b, base.p) - _multiplicity(b, base.q)) * exponent for b in bases}
     if base < 0:
         powers[-1] = exponent % 2
     rational = sp.S.One
-    for prime, power in powers.items():
-        rational *= sp.Integer(prime) ** sp.floor(power)
-    return rational, {p: e % 1 for p, e in powers.items() if e % 1}
+    for b, power in powers.items():
+        rational *= sp.Integer(b) ** sp.floor(power)
+    return rational, {b: e % 1 for b, e in powers.items() if e % 1}
 
 
 def orders(radicals: Iterable[sp.Expr]) -> dict[int, int]:
@@ -58,11 +64,64 @@ def orders(radicals: Iterable[sp.Expr]) -> dict[int, int]:
     >>> orders([sp.sqrt(6), sp.cbrt(2)])
     {2: 6, 3: 2}
     """
+    return _orders(prime_roots(radical) for radical in radicals)
+
+
+def coprime_orders(radicals: Iterable[sp.Expr]) -> dict[int, int]:
+    """Return as few bases b as a common divisor can tell, and the orders of their roots b**(1/n).
+
+    Different bases have no common factor and are no perfect powers, so their roots are independent
+    like those of primes; sqrt(465) alone needs one root, not those of 3, 5 and 31.
+
+    >>> coprime_orders([sp.sqrt(465)]), coprime_orders([sp.sqrt(6), sp.sqrt(10)])
+    ({465: 2}, {2: 2, 3: 2, 5: 2})
+    """
+    listed = list(radicals)
+    bases = _coprime_bases(part for radical in listed for part in _parts(radical))
+    return _orders(roots_of(radical, bases) for radical in listed)
+
+
+def _orders(split: Iterable[tuple[sp.Rational, dict[int, sp.Rational]]]) -> dict[int, int]:
     found: dict[int, int] = {}
-    for radical in radicals:
-        for prime, exponent in prime_roots(radical)[1].items():
-            found[prime] = lcm(found.get(prime, 1), int(exponent.q))
+    for _, powers in split:
+        for base, exponent in powers.items():
+            found[base] = lcm(found.get(base, 1), int(exponent.q))
     return dict(sorted(found.items()))
+
+
+def _base_and_exponent(radical: sp.Expr) -> tuple[sp.Rational, sp.Rational]:
+    return (sp.S.NegativeOne, sp.S.Half) if radical is sp.I else radical.args
+
+
+def _parts(radical: sp.Expr) -> tuple[int, int]:
+    base, _ = _base_and_exponent(radical)
+    return abs(int(base.p)), int(base.q)
+
+
+def _multiplicity(base: int, number: int) -> int:
+    return sp.multiplicity(base, number) if base > 1 else 0
+
+
+def _coprime_bases(numbers: Iterable[int]) -> tuple[int, ...]:
+    """Return pairwise coprime numbers, no perfect powers, of which all the numbers are products."""
+    bases: list[int] = []
+    waiting = list(numbers)
+    while waiting:
+        number = waiting.pop()
+        if number == 1:
+            continue
+        power = sp.perfect_power(number, factor=False)
+        if power:
+            waiting.append(int(power[0]))
+            continue
+        known = next((b for b in bases if gcd(b, number) > 1), None)
+        if known is None:
+            bases.append(number)
+        elif known != number:
+            common = gcd(known, number)
+            bases.remove(known)
+            waiting += [common, known // common, number // common]
+    return tuple(bases)
 
 
 def plain_roots(expressions: Iterable[sp.Expr]) -> list[sp.Expr]:

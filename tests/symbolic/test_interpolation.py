@@ -43,7 +43,7 @@ def splines(draw):
     return interpolating_spline(points, knots, ends, tangents)
 
 
-@settings(max_examples=20)
+@settings(max_examples=12)
 @given(splines())
 def test_it_meets_all_its_conditions_and_scipy(spline):
     assert spline.derivation.is_proved
@@ -58,7 +58,7 @@ def test_it_meets_all_its_conditions_and_scipy(spline):
         assert ours == pytest.approx(oracle(float(at)), rel=1e-9, abs=1e-9)
 
 
-@settings(max_examples=20)
+@settings(max_examples=12)
 @given(splines())
 def test_bezier_points_slopes_and_accelerations_belong_to_the_pieces(spline):
     spans = zip(spline.pieces, spline.bezier_points, pairwise(spline.slopes),
