@@ -92,6 +92,29 @@ def exact_points(points: Any) -> tuple[Point, ...]:
     return tuple(rows)
 
 
+def control_points(points: Any) -> tuple[Point, ...]:
+    """Return the control points of a curve in t: exact rows that do not contain t themselves.
+
+    Raises
+    ------
+    BadValue
+        As in `exact_points`, and for points that contain t.
+
+    Examples
+    --------
+    >>> control_points([[0, sp.Symbol("a")]])
+    ((0, a),)
+    """
+    rows = exact_points(points)
+    if any(symbol.name == PARAMETER.name for row in rows for x in row for symbol in x.free_symbols):
+        raise BadValue(
+            f"control points without the curve's own parameter {PARAMETER}",
+            shown(points),
+            "Call it by another name.",
+        )
+    return rows
+
+
 def _finite_and_exact(value: sp.Expr) -> sp.Expr:
     for node in postorder([value]):
         if node.is_Float:

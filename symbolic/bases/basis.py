@@ -11,7 +11,7 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, as_list, exact_points
+from ..exact import PARAMETER, as_list, control_points
 from ..exact_matrix import dense, inverse, product, to_matrix
 from ..proofs.derivation import Derivation
 
@@ -201,7 +201,7 @@ class Basis:
         BadValue
             If the number of rows is not that of the geometry vector.
         """
-        rows = exact_points(points)
+        rows = control_points(points)
         self.require_rows(len(rows))
         coefficients = self.matrix * sp.ImmutableMatrix(rows)
         return tuple(

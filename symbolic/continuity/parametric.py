@@ -11,7 +11,7 @@ from ..bases.bezier import bernstein
 from ..curves.de_casteljau import subdivide
 from ..dag import substitute
 from ..errors import BadValue
-from ..exact import PARAMETER, Point, exact_points
+from ..exact import PARAMETER, Point, control_points
 from ..proofs.derivation import Derivation, Step
 from .conditions import JointConditions, combination, derivative_steps, solution_steps
 from .parameters import (
@@ -93,7 +93,7 @@ def a_frame(left: Any, right: Any, ratio: Any = 1) -> tuple[Point, Point]:
     >>> a_frame([[0, 0], [0, 2], [2, 2], [3, 1]], [[3, 1], [4, 0], [4, -2], [6, -2]])
     ((4, 2), (4, 2))
     """
-    p, q = exact_points(left), exact_points(right)
+    p, q = control_points(left), control_points(right)
     scale = read_positive(ratio, "ratio of the intervals")
     refuse_dimensions(len(p[0]), len(q[0]))
     if len(p) != len(q):

@@ -8,7 +8,7 @@ from typing import Any
 import sympy as sp
 
 from ..errors import BadValue, shown
-from ..exact import Point, exact_points, whole_number
+from ..exact import Point, control_points, whole_number
 from ..exact_matrix import dense, product, to_matrix
 
 
@@ -36,7 +36,7 @@ def elevate_degree(points: Any, by: int = 1) -> tuple[Point, ...]:
     >>> elevate_degree([[0, 0], [4, 8], [8, 0]])
     ((0, 0), (8/3, 16/3), (16/3, 16/3), (8, 0))
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     times = whole_number(by)
     if times is None or times < 0:
         raise BadValue("a number of degrees 0, 1, 2, ...", shown(by), "To lower: reduce_degree.")
@@ -86,7 +86,7 @@ def reduce_degree(points: Any) -> Reduction:
     >>> reduce_degree(elevate_degree([[0, 0], [1, 2], [3, 0]])).squared_error
     0
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     n = len(rows) - 1
     if n < 2:
         raise BadValue(

@@ -7,7 +7,7 @@ from typing import Any
 import sympy as sp
 
 from ..errors import BadValue, shown
-from ..exact import Point, exact_points, whole_number
+from ..exact import Point, control_points, whole_number
 from ..parameter_interval import read_interval
 
 
@@ -41,7 +41,7 @@ def hodograph(points: Any, order: int = 1, interval: Any = (0, 1)) -> tuple[Poin
     >>> hodograph([[0, 0], [1, 2], [3, 0], [4, 0]], order=3, interval=(0, 2))
     ((-3/2, 9/2),)
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     times = whole_number(order)
     if times is None or times < 0:
         raise BadValue("an order 0, 1, 2, ...", shown(order), "1 is the velocity.")
@@ -79,7 +79,7 @@ def antiderivative(points: Any, interval: Any = (0, 1)) -> tuple[Point, ...]:
     >>> antiderivative([[0], [3], [6]])
     ((0,), (0,), (1,), (3,))
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     start, end = read_interval(interval)
     factor = (end - start) / sp.Integer(len(rows))
     sums = [tuple(sp.S.Zero for _ in rows[0])]

@@ -12,7 +12,7 @@ import sympy as sp
 from ..bases.bezier import bezier
 from ..bases.hermite import hermite
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, Point, as_list, exact, exact_points
+from ..exact import PARAMETER, Point, as_list, control_points, exact
 from ..fields import common_field
 from ..proofs.derivation import Derivation
 from ..signs import sign
@@ -124,7 +124,7 @@ def interpolating_spline(
     >>> spline.derivation.is_proved
     True
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     parameters = _knots(knots, len(rows))
     given = _tangents(tangents, ends, len(rows[0]))
     _refuse_unfit(rows, ends)
@@ -135,7 +135,7 @@ def interpolating_spline(
     gaps = [b - a for a, b in pairwise(u)]
     chords = [[(y - x) / gap for x, y in zip(p, q, strict=True)]
               for gap, (p, q) in zip(gaps, pairwise(data[: len(rows)]), strict=True)]  # fmt: skip
-    slopes = spline_slopes(gaps, chords, ends, data[len(rows) :])
+    slopes = spline_slopes(gaps, chords, ends, data[len(rows) :], field.one)
     spans = zip(gaps, chords, pairwise(slopes), strict=True)
     second = [_acceleration(gap, chord, m, n) for gap, chord, (m, n) in spans]
     second.append(_acceleration(-gaps[-1], chords[-1], slopes[-1], slopes[-2]))
@@ -187,7 +187,7 @@ def _tangents(tangents: Any, ends: Any, dim: int) -> tuple[Point, ...]:
             f"ends={ends!r} {'without' if tangents is None else 'with'} tangents",
             'Write ends="clamped", tangents=[[1, 0], [0, 1]].',
         )
-    rows = exact_points(tangents) if tangents is not None else ()
+    rows = control_points(tangents) if tangents is not None else ()
     if rows and (len(rows), len(rows[0])) != (2, dim):
         raise BadValue(f"two tangents of dimension {dim}", shown(tangents), "One row for each end.")
     return rows

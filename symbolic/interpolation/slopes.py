@@ -19,7 +19,7 @@ Vector = Sequence[Any]
 
 
 def spline_slopes(
-    gaps: Sequence[Any], chords: Sequence[Vector], ends: str, tangents: Sequence[Vector]
+    gaps: Sequence[Any], chords: Sequence[Vector], ends: str, tangents: Sequence[Vector], one: Any
 ) -> list[list[Any]]:
     """Return the slopes at all knots, elements of the field of the gaps.
 
@@ -28,8 +28,9 @@ def spline_slopes(
     gaps, chords : n each
     ends : "natural", "clamped", "periodic" or "not-a-knot"
     tangents : the first and the last slope, for "clamped" only
+    one : the field's one
     """
-    a = [1 / gap for gap in gaps]
+    a = [one / gap for gap in gaps]
     inner = [_smooth(a[i - 1], a[i], chords[i - 1], chords[i]) for i in range(1, len(a))]
     if ends == "periodic":
         slopes = solve_cyclic([_smooth(a[-1], a[0], chords[-1], chords[0]), *inner])

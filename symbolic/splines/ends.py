@@ -15,7 +15,7 @@ from ..bases.constraints import Condition
 from ..bases.degree import degree_from
 from ..bases.uniform_bspline import uniform_bspline
 from ..errors import BadValue, shown
-from ..exact import PARAMETER, Point, exact_points, whole_number
+from ..exact import PARAMETER, Point, control_points, whole_number
 from ..proofs.derivation import Derivation, Step
 
 
@@ -35,7 +35,7 @@ def repeat_ends(points: Any, times: int = 3) -> tuple[Point, ...]:
     >>> repeat_ends([[0], [1], [2]], 2)
     ((0,), (0,), (1,), (2,), (2,))
     """
-    rows, count = exact_points(points), whole_number(times)
+    rows, count = control_points(points), whole_number(times)
     if count is None or count < 1:
         raise BadValue("a number of times 1, 2, 3, ...", shown(times), "2 makes end points double.")
     if len(rows) == 1:
@@ -62,7 +62,7 @@ def phantom_ends(points: Any) -> tuple[Point, ...]:
     >>> phantom_ends([[0], [1], [3]])
     ((-1,), (0,), (1,), (3,), (5,))
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     if len(rows) < 2:
         raise BadValue("at least two control points", f"{len(rows)}", "Add points.")
     before, after = _mirrored(rows[0], rows[1]), _mirrored(rows[-1], rows[-2])
@@ -82,7 +82,7 @@ def wrap_points(points: Any, degree: int = 3) -> tuple[Point, ...]:
     >>> wrap_points([[0, 0], [1, 0], [0, 1]], 2)
     ((0, 0), (1, 0), (0, 1), (0, 0), (1, 0))
     """
-    rows, p = exact_points(points), degree_from(degree, 0)
+    rows, p = control_points(points), degree_from(degree, 0)
     if len(rows) < max(p, 1):
         raise BadValue(
             f"at least {p} control points for a closed curve of degree {p}",

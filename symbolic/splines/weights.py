@@ -14,8 +14,8 @@ from typing import Any
 import sympy as sp
 from sympy.polys.domains.domain import Domain
 
-from ..errors import BadValue, shown
-from ..exact import PARAMETER, Point, exact_points
+from ..errors import BadValue
+from ..exact import Point, control_points
 from ..fields import common_field
 from .factored import Factored, as_polynomials
 from .knots import KnotVector
@@ -141,19 +141,13 @@ def read_points(knots: KnotVector, points: Any) -> tuple[Point, ...]:
     BadValue
         For another number of points than the knots ask for, or points that contain t.
     """
-    rows = exact_points(points)
+    rows = control_points(points)
     if len(rows) != knots.point_count:
         raise BadValue(
             f"{knots.point_count} control points for {len(knots.knots)} knots of degree "
             f"{knots.degree}",
             f"{len(rows)}",
             "There are as many knots as control points, and degree + 1 more.",
-        )
-    if any(PARAMETER in c.free_symbols for row in rows for c in row):
-        raise BadValue(
-            f"control points without the parameter {PARAMETER}",
-            shown(points),
-            "Call it by another name.",
         )
     return rows
 

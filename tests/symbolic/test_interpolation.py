@@ -123,6 +123,15 @@ def test_a_straight_line_and_a_cubic_are_reproduced():
         assert prove(piece.coordinates[0], t**3 - t)
 
 
+@pytest.mark.parametrize(("ends", "tangents"), [
+    ("natural", None), ("periodic", None), ("not-a-knot", None), ("clamped", [[1], [sp.sqrt(3)]]),
+])  # fmt: skip
+def test_roots_in_points_and_knots(ends, tangents):
+    knots = [0, 1, sp.sqrt(3), 4]
+    spline = interpolating_spline([[0], [1], [sp.sqrt(2)], [0]], knots, ends, tangents)
+    assert spline.derivation.is_proved
+
+
 def test_roots_and_symbols_stay_exact():
     spline = interpolating_spline([[0], [sp.sqrt(2)], [sp.Symbol("y")]], [0, 1, sp.Symbol("u")])
     assert spline.derivation.is_proved
@@ -169,6 +178,7 @@ def test_a_wrong_spline_is_refuted():
     (lambda: interpolating_spline([[0], [1]], [0, 0.5]), NotExact, "Rational"),
     (lambda: interpolating_spline([[0], [1]], [0, t]), BadValue, "contain t"),
     (lambda: interpolating_spline([[0], [1]], 3), BadType, "list of knots"),
+    (lambda: interpolating_spline([[0], [t], [1]]), BadValue, "own parameter t"),
     (lambda: interpolating_spline([[0], [1]], ends="free"), BadValue, "not-a-knot"),
     (lambda: interpolating_spline([[0], [1]], ends="clamped"), BadValue, "tangents"),
     (lambda: interpolating_spline([[0], [1]], tangents=[[0], [0]]), BadValue, "tangents"),
