@@ -25,6 +25,7 @@ from .continuity.geometric import geometric_continuity
 from .continuity.joint import Continuity
 from .continuity.parametric import a_frame, parametric_continuity
 from .continuity.properties import joint_properties
+from .curves.algorithms import bezier_algorithms, subdivision_matrices
 from .curves.conversion import polynomial_to_bezier
 from .curves.de_casteljau import de_casteljau, polar_levels, restrict, subdivide
 from .curves.degree import Reduction, elevate_degree, reduce_degree
@@ -107,6 +108,7 @@ __all__ = [
     "basis_from",
     "bernstein",
     "bezier",
+    "bezier_algorithms",
     "bezier_properties",
     "blossom",
     "cardinal",
@@ -151,6 +153,7 @@ __all__ = [
     "restrict",
     "runge_phenomenon",
     "subdivide",
+    "subdivision_matrices",
     "uniform_bspline",
     "uniform_knots",
     "value",

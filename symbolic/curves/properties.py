@@ -6,11 +6,11 @@ from collections.abc import Callable, Sequence
 
 import sympy as sp
 
-from ..bases.bezier import bernstein, bezier
-from ..dag import substitute
+from ..bases.bezier import bernstein
+from ..bases.degree import degree_from
 from ..exact import PARAMETER
 from ..proofs.derivation import Derivation, Step
-from ..written import plus
+from ..written import plus, times
 
 t = PARAMETER
 
@@ -31,7 +31,8 @@ def bezier_properties(n: int) -> dict[str, Derivation]:
     >>> all(derivation.is_proved for derivation in properties.values())
     True
     """
-    return {name: derive(n) for name, derive in PROPERTIES.items()}
+    degree = degree_from(n, 1)
+    return {name: derive(degree) for name, derive in PROPERTIES.items()}
 
 
 def partition_of_unity(n: int) -> Derivation:
@@ -76,14 +77,14 @@ def symmetry(n: int) -> Derivation:
     True
     """
     weights, points = _weights(n), _points(n)
-    mirrored = substitute(weights, {t: 1 - t})
+    mirrored = [sp.Subs(weight, t, 1 - t) for weight in weights]
     return Derivation(
         f"Symmetry, degree {n}",
         (
             *(Step(mirrored[n - i], weights[i], f"weight {i} at t is weight {n - i} at 1 - t")
               for i in range(n + 1)),
-            Step(_curve(mirrored, points), _curve(weights, points[::-1]),
-                 "so the reversed control points give the same curve, from the other end"),
+            Step(sp.Subs(_curve(weights, points), t, 1 - t), _curve(weights, points[::-1]),
+                 "the reversed control points give the same curve, from the other end"),
         ),
     )  # fmt: skip
 
@@ -109,7 +110,7 @@ def affine_invariance(n: int) -> Derivation:
                  "sums and factors move out of a sum of weighted points"),
             Step(total, sp.S.One, "the weights sum to one"),
             Step(_curve(weights, mapped), a * _curve(weights, x) + b * _curve(weights, y) + d,
-                 "so the curve of the mapped points is the mapped curve"),
+                 "the curve of the mapped points is the mapped curve"),
         ),
     )  # fmt: skip
 
@@ -120,19 +121,18 @@ def linear_precision(n: int) -> Derivation:
     >>> linear_precision(3).is_proved
     True
     """
-    weights = _weights(n)
-    terms = [sp.Rational(i, n) * w for i, w in enumerate(weights)]
-    lower = bernstein(n - 1)
+    weights, lower = _weights(n), bernstein(n - 1)
+    terms = [times(sp.Rational(i, n), weights[i]) for i in range(1, n + 1)]
     p, q = sp.symbols("P Q")
     spaced = [p + sp.Rational(i, n) * (q - p) for i in range(n + 1)]
     return Derivation(
         f"Linear precision, degree {n}",
         (
-            *(Step(terms[i], t * lower[i - 1], f"{i}/{n} C({n}, {i}) = C({n - 1}, {i - 1})")
-              for i in range(1, n + 1)),
+            *(Step(term, times(t, w), f"{i}/{n} C({n}, {i}) = C({n - 1}, {i - 1})")
+              for i, (term, w) in enumerate(zip(terms, lower, strict=True), 1)),
             Step(plus(*terms), t, "t times the weights of one degree less, which sum to one"),
             Step(_curve(weights, spaced), p + t * (q - p),
-                 "so equally spaced points from P to Q give the segment from P to Q"),
+                 "equally spaced points from P to Q give the segment from P to Q"),
         ),
     )  # fmt: skip
 
@@ -177,9 +177,8 @@ def non_negativity(n: int) -> Derivation:
     u = sp.Symbol("u")
     steps = []
     for i, weight in enumerate(_weights(n)):
-        (moved,) = substitute([weight], {t: u / (1 + u)})
         steps.append(
-            Step(moved, sp.binomial(n, i) * u**i / (1 + u) ** n,
+            Step(sp.Subs(weight, t, u / (1 + u)), sp.binomial(n, i) * u**i / (1 + u) ** n,
                  f"weight {i} at t = u/(1 + u): no minus sign is left, so it is not negative")
         )  # fmt: skip
         steps.append(Step(sp.Subs(weight, t, 1), sp.Integer(int(i == n)), f"weight {i} at t = 1"))
@@ -224,11 +223,20 @@ PROPERTIES: dict[str, Callable[[int], Derivation]] = {
 
 
 def _weights(n: int) -> tuple[sp.Expr, ...]:
-    return bernstein(bezier(n).degree)  # which refuses what is no degree
+    return bernstein(degree_from(n, 1))
 
 
 def _points(n: int) -> tuple[sp.Symbol, ...]:
     return tuple(sp.symbols(f"P0:{n + 1}"))
+
+
+def bezier_curve(n: int, points: Sequence[sp.Expr]) -> sp.Expr:
+    """Return one coordinate of a Bezier curve as the sum of its points, each times its weight.
+
+    >>> bezier_curve(1, sp.symbols("p q"))
+    p*(1 - t) + q*t
+    """
+    return _curve(bernstein(n), points)
 
 
 def _curve(weights: Sequence[sp.Expr], points: Sequence[sp.Expr]) -> sp.Expr:

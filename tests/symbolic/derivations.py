@@ -15,6 +15,7 @@ from symbolic import (
     RationalBezier,
     arc,
     bezier,
+    bezier_algorithms,
     bezier_properties,
     blossom,
     cardinal,
@@ -60,6 +61,10 @@ t = sp.Symbol("t")
 DERIVATIONS += [
     (f"Bezier curve: {name}", lambda name=name: bezier_properties(3)[name])
     for name in bezier_properties(3)
+]
+DERIVATIONS += [
+    (f"Bezier algorithm: {name}", lambda name=name: bezier_algorithms(3)[name])
+    for name in bezier_algorithms(3)
 ]
 DERIVATIONS += [
     ("Blossom of a cubic", lambda: blossom(t**3 - 2 * t + 5).certificate()),

@@ -13,6 +13,7 @@ from symbolic import (
     Refuted,
     bernstein,
     bezier,
+    bezier_algorithms,
     bezier_properties,
     de_casteljau,
     elevate_degree,
@@ -20,6 +21,7 @@ from symbolic import (
     polar_levels,
     prove,
     subdivide,
+    subdivision_matrices,
 )
 
 t, u = symbols("t u")
@@ -113,6 +115,9 @@ def test_b15_b18_b19_b20_derivatives_at_the_ends(n):
     assert prove(curve(velocity), sp.Derivative(curve(column(n)), t))
     if n == 3:
         assert prove([v[0] for v in velocity], [3 * (b - a) for a, b in pairwise(p)])
+        form1 = (-3*(1 - t)**2*p[0] + 3*((1 - t)**2 - 2*t*(1 - t))*p[1]
+                 + 3*(2*t*(1 - t) - t**2)*p[2] + 3*t**2*p[3])  # fmt: skip
+        assert prove(curve(velocity), form1)
         assert isinstance(prove(velocity[-1][0], p[3] - p[2]), Refuted)  # as printed
 
 
@@ -131,6 +136,18 @@ def test_b22_inner_derivatives_involve_all_points_but_at_exceptions():
     coefficients = [velocity[tuple(int(i == j) for i in range(4))] for j in range(4)]
     inner = {root for c in coefficients for root in sp.roots(sp.Poly(c, u)) if 0 < root < 1}
     assert inner == {R(1, 3), R(2, 3)}
+
+
+@pytest.mark.parametrize("name", ["hodograph", "subdivision", "degree elevation", "integral"])
+@pytest.mark.parametrize("n", DEGREES)
+def test_b20_b23_b29_algorithms_are_proved(name, n):
+    assert bezier_algorithms(n)[name].is_proved
+
+
+def test_b23_subdivision_matrices():
+    left, right = subdivision_matrices(3, u)
+    assert prove(left * sp.Matrix(column(3)), [list(p) for p in subdivide(column(3), u)[0]])
+    assert prove(right * sp.Matrix(column(3)), [list(p) for p in subdivide(column(3), u)[1]])
 
 
 def test_b23_subdivision_reparametrizes():
