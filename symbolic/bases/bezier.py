@@ -80,7 +80,7 @@ def _derivation(basis: Basis) -> Derivation:
             *levels,
             Step(functions, times(row, basis.matrix),
                  "the weights of the control points, collected by powers of t"),
-            Step(sp.Add(*bernstein(n)), sp.S.One,
+            Step(plus(*bernstein(n)), sp.S.One,
                  "the weights sum to one, so the curve moves along with its control points"),
         ),
     )  # fmt: skip

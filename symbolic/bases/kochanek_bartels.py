@@ -10,6 +10,7 @@ import sympy as sp
 
 from ..exact import by_name, exact
 from ..proofs.derivation import Derivation, Step
+from ..written import plus, times
 from .basis import Basis
 from .constraints import derivative, value
 from .from_constraints import basis_of
@@ -133,9 +134,8 @@ def _derivation(
     tension, continuity, bias = parameters
     before, at, after, _ = _POINTS
     derivation: Derivation = derive(basis)
-    difference = _outgoing(*parameters, before, at, after) - _incoming(
-        *parameters, before, at, after
-    )
+    outgoing = _outgoing(*parameters, before, at, after)
+    difference = plus(outgoing, times(-1, _incoming(*parameters, before, at, after)))
     factored = (1 - tension) * continuity * ((1 + bias) * (at - before) - (1 - bias) * (after - at))
     because = (
         "at the joint P1 the outgoing tangent less the incoming one: zero for all points just if "

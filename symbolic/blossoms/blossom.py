@@ -132,19 +132,22 @@ class Blossom:
         True
         """
         u = self.arguments
+        f = self(*u)
         steps = []
         if self.degree > 1:
-            steps.append(_step(self(u[1], u[0], *u[2:]), self(*u), "two arguments exchanged"))
+            exchanged = _at(f, u[:2], u[1::-1])
+            steps.append(Step(exchanged, f, "two arguments exchanged"))
         if self.degree > 2:
-            steps.append(_step(self(*u[1:], u[0]), self(*u), "all arguments rotated: symmetric"))
+            rotated = _at(f, u, (*u[1:], u[0]))
+            steps.append(Step(rotated, f, "all arguments rotated: symmetric"))
         if self.degree:
             a, b, w = (sp.Symbol(f"{u[0]}_{x}") for x in ("a", "b", "w"))
-            mixed = self((1 - w) * a + w * b, *u[1:])
+            mixed = _at(f, u[:1], [(1 - w) * a + w * b])
             split = _weighted(w, self(a, *u[1:]), self(b, *u[1:]))
-            steps.append(_step(mixed, split, f"affine in {u[0]}, so by symmetry in each argument"))
-        diagonal = self(*[self.variable] * self.degree)
+            steps.append(Step(mixed, split, f"affine in {u[0]}, so by symmetry in each argument"))
+        diagonal = _at(f, u, [self.variable] * self.degree)
         given = self.coordinates if self.is_curve else self.coordinates[0]
-        steps.append(_step(diagonal, given, "on the diagonal it is the polynomial itself"))
+        steps.append(Step(diagonal, given, "on the diagonal it is the polynomial itself"))
         return Derivation(f"The blossom with {self.degree} arguments: the three axioms",
                           tuple(steps))  # fmt: skip
 
@@ -182,7 +185,7 @@ def blossom(expr: Any, t: sp.Symbol = PARAMETER, degree: int | None = None) -> B
     if not isinstance(t, sp.Symbol):
         raise BadValue("a symbol as variable", shown(t), "Write blossom(expr, Symbol('t')).")
     listed = as_list(expr)
-    variable = sp.Symbol(t.name)
+    variable = by_name(t)
     coordinates = tuple(by_name(exact(e)) for e in (listed if listed is not None else [expr]))
     if not coordinates:
         raise BadValue("at least one polynomial", "an empty list", "Write blossom([t, t**2], t).")
@@ -220,6 +223,8 @@ def _weighted(w: sp.Symbol, left: Any, right: Any) -> Any:
     return plus(times(1 - w, left), times(w, right))  # fmt: skip
 
 
-def _step(left: Any, right: Any, because: str) -> Step:
-    sides = [sp.ImmutableMatrix([list(s)]) if isinstance(s, tuple) else s for s in (left, right)]
-    return Step(sides[0], sides[1], because)
+def _at(value: Any, variables: Sequence[sp.Symbol], places: Sequence[sp.Expr]) -> Any:
+    """Return a value of the blossom with others of its arguments: written, not carried out."""
+    if isinstance(value, tuple):
+        return tuple(_at(coordinate, variables, places) for coordinate in value)
+    return sp.Subs(value, variables, places) if variables else value

@@ -9,10 +9,12 @@ from typing import Any
 import sympy as sp
 
 from ..dag import substitute
-from ..errors import BadValue, shown
+from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list, by_name, exact
+from ..proofs.generators import NoNormalForm
 from ..proofs.proof import prove
-from ..proofs.verdict import Refuted, Verdict
+from ..proofs.side import evaluated
+from ..proofs.verdict import Refuted, Undecided, Verdict
 from .blossom import blossom
 
 
@@ -40,12 +42,15 @@ def check_blossom(
     -------
     Verdict
         `Proved`; or `Refuted`, where the diagnosis names the axioms that fail, `where` the first
-        of them, and the witness gives values at which its two sides differ; or `Undecided`.
+        of them, and the witness gives values at which its two sides differ; or `Undecided`, if no
+        axiom fails but for some of them it is not known whether they hold.
 
     Raises
     ------
-    BadValue
-        For lists of different lengths, or arguments that are not different symbols.
+    BadValue, BadType
+        For lists of different lengths, or arguments that are not a list of different symbols.
+    NotExact
+        For floats.
 
     Examples
     --------
@@ -57,8 +62,11 @@ def check_blossom(
     >>> print(check_blossom((a + 2*b)/3, t, [a, b]).diagnosis)
     Not symmetric: exchanging a and b changes the value.
     """
-    given = _coordinates(candidate)
     expected = _coordinates(polynomial)
+    try:
+        given = tuple(evaluated(e, keep_operators=False) for e in _coordinates(candidate))
+    except NoNormalForm as reason:
+        return Undecided(str(reason))
     if len(given) != len(expected):
         raise BadValue(
             f"{len(expected)} coordinates, as the polynomial has",
@@ -67,14 +75,15 @@ def check_blossom(
         )
     blossom(list(expected), t)  # refuses what is no polynomial
     u = _arguments(given, expected, arguments, t)
-    variable = sp.Symbol(t.name)
+    variable = by_name(t)
     if variable not in u and any(variable in e.free_symbols for e in given):
-        verdict = prove(list(substitute(given, {variable: sp.Symbol(f"{t.name}_1")})), list(given))
+        renamed = substitute(given, {variable: sp.Symbol(f"{t.name}_1")})
+        verdict = prove(renamed, list(given))
         if not verdict:
             return replace(verdict, diagnosis=_not_polar(given, expected, t))
-        given = tuple(substitute(given, {variable: sp.S.Zero}))  # it cancels
+        given = tuple(renamed)  # it cancels
     failures: dict[str, Refuted] = {}
-    undecided: Verdict | None = None
+    undecided: Undecided | None = None
     for axiom, sentence, left, right in _claims(given, expected, u, variable):
         if axiom in failures:
             continue
@@ -83,12 +92,13 @@ def check_blossom(
             failures[axiom] = replace(
                 verdict, where=_AXIOMS[axiom], diagnosis=f"{axiom}: {sentence}."
             )
-        elif not verdict:
-            undecided = verdict
+        elif isinstance(verdict, Undecided):
+            because = f"{_AXIOMS[axiom].capitalize()}, could not be decided: {verdict.why}."
+            undecided = replace(verdict, diagnosis=because)
     if failures:
         diagnosis = " ".join(refuted.diagnosis for refuted in failures.values())
         return replace(next(iter(failures.values())), diagnosis=diagnosis)
-    return undecided or replace(verdict, diagnosis=_RIGHT)
+    return replace(verdict, diagnosis=_RIGHT) if undecided is None else undecided
 
 
 _AXIOMS = {
@@ -137,10 +147,12 @@ def _arguments(
     t: sp.Symbol,
 ) -> list[sp.Symbol]:
     if arguments is None:
-        known = {s for e in expected for s in e.free_symbols} | {sp.Symbol(t.name)}
+        known = {s for e in expected for s in e.free_symbols} | {by_name(t)}
         free = {s for e in given for s in e.free_symbols} - known
         return sorted(free, key=lambda s: (len(s.name), s.name))
-    listed = as_list(arguments) or []
+    listed = as_list(arguments)
+    if listed is None:
+        raise BadType("a list of symbols", shown(arguments), "Write symbols('u1:4').")
     if not all(isinstance(x, sp.Symbol) for x in listed) or len({*listed}) < len(listed):
         raise BadValue("different symbols as arguments", shown(arguments), "Write symbols('u1:4').")
-    return [sp.Symbol(x.name) for x in listed]
+    return [by_name(x) for x in listed]

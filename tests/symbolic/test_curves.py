@@ -12,6 +12,7 @@ from symbolic import (
     NotExact,
     Proved,
     Refuted,
+    Undecided,
     antiderivative,
     bezier,
     bezier_properties,
@@ -144,9 +145,42 @@ def test_a_wrong_blossom_is_told_which_axiom_fails(candidate, words):
     assert verdict.left != verdict.right
 
 
+UNSEEN_ZERO = sp.log(6) - sp.log(2) - sp.log(3)
+
+
+@pytest.mark.parametrize(("candidate", "words"), [
+    (a * b + (a - b) ** 2 * UNSEEN_ZERO, "The first axiom, multi-affine, could not be decided"),
+    (a * b + UNSEEN_ZERO, "The third axiom, the diagonal, could not be decided"),
+    (sp.Integral(sp.exp(-(a**2)), (a, 0, b)), "too long"),
+])  # fmt: skip
+def test_an_axiom_that_is_undecided_is_not_proved(candidate, words):
+    verdict = check_blossom(candidate, t**2, [a, b])
+    assert isinstance(verdict, Undecided) and words in str(verdict.diagnosis or verdict)
+
+
+def test_sums_and_integrals_in_a_candidate_are_carried_out_first():
+    assert check_blossom(sp.Integral(2 * a, (a, 0, 1)) * a * b, t**2)
+    assert check_blossom(sp.Derivative(a**2 * b, a) / 2, t**2)
+
+
+def test_dummies_are_variables_and_arguments_of_their_own():
+    x, u, v = sp.Dummy("t"), sp.Dummy("u"), sp.Dummy("u")
+    assert blossom(x**2, x)(3, 5) == 15
+    assert blossom(x**2 + t, x)(3, 5) == 15 + t
+    assert polynomial_to_bezier([x, x**2], x) == ((0, 0), (R(1, 2), 0), (1, 1))
+    assert check_blossom(u * v, x**2, [u, v], x)
+
+
+@pytest.mark.parametrize("degree", [0, 1, 2])
+def test_the_certificate_of_a_constant_curve_and_of_lines_is_proved(degree):
+    for curve in (5, [5, 7], [5, sp.Symbol("u")]):
+        assert blossom(curve, degree=degree).certificate().is_proved
+
+
 def test_a_parameter_that_cancels_does_no_harm():
     assert check_blossom(a * b + (t - 1) * (t + 1) - t**2 + 1, t**2)
     assert isinstance(check_blossom(2 * a * b + (t - 1) * (t + 1) - t**2 + 1, t**2), Refuted)
+    assert check_blossom(a * b * (t**2 + t) / (t * (t + 1)), t**2)  # 0/0 at t = 0
 
 
 def test_a_symbolic_blossom_of_high_degree_stays_small():
@@ -167,6 +201,9 @@ def test_a_symbolic_blossom_of_high_degree_stays_small():
     (lambda: check_blossom([a, b], t), BadValue),
     (lambda: check_blossom(a, 1 / t), BadValue),
     (lambda: check_blossom(a, t, [a, a]), BadValue),
+    (lambda: check_blossom(a * b, t**2, (x for x in (a, b))), BadType),
+    (lambda: check_blossom(a * b, t**2, 2), BadType),
+    (lambda: check_blossom(0.5 * a, t), NotExact),
     (lambda: elevate_degree([[0], [1]], -1), BadValue),
     (lambda: elevate_degree([[0], [1]], 1.0), BadValue),
     (lambda: reduce_degree([[0], [1]]), BadValue),

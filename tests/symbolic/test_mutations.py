@@ -9,6 +9,7 @@ from sympy import Rational
 
 from symbolic import Refuted
 from symbolic.dag import substitute
+from symbolic.proofs.linear_text import linear_text
 from symbolic.proofs.proof import prove_sides
 from symbolic.proofs.side import evaluated, read_side
 from symbolic.proofs.witness import free_symbols
@@ -24,6 +25,12 @@ def test_every_step_is_proved(name, build):
     derivation = build()
     assert derivation.steps
     assert [verdict for verdict in derivation.verify() if not verdict] == []
+
+
+@every_derivation
+def test_no_step_says_the_same_twice(name, build):
+    for step in build().steps:
+        assert linear_text(step.left) != linear_text(step.right), step.because
 
 
 @every_derivation
