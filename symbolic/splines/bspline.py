@@ -11,12 +11,13 @@ import sympy as sp
 from ..bases.basis import Basis
 from ..blossoms.blossom import Blossom, blossom
 from ..errors import BadValue, shown
-from ..exact import Point
+from ..exact import Point, whole_number
 from ..proofs.derivation import Derivation, Step
 from ..written import plus
 from . import calculus, conversion, cox_de_boor, discretization, insertion, multiplicity
 from . import de_boor as evaluation
 from .knots import KnotVector
+from .weights import read_points
 
 
 @dataclass(frozen=True, init=False, repr=False)
@@ -48,7 +49,7 @@ class BSpline:
     def __init__(self, knots: Any, degree: Any = None) -> None:
         if not isinstance(knots, KnotVector):
             knots = KnotVector(knots, degree)
-        elif degree is not None and degree != knots.degree:
+        elif degree is not None and whole_number(degree) != knots.degree:
             raise BadValue(
                 f"degree {knots.degree}, that of the knot vector", shown(degree), "Leave it out."
             )
@@ -119,7 +120,7 @@ class BSpline:
         (1,)
         """
         self.knots.interval(span)
-        segment = self.curve(points)[self.knots.spans.index(int(span))]
+        segment = conversion.segment(self.knots, int(span), read_points(self.knots, points))
         return blossom(segment.coordinates, degree=self.degree)
 
     def span_basis(self, span: int) -> Basis:

@@ -9,13 +9,12 @@ import sympy as sp
 from ..bases.degree import degree_from
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, by_name, exact, whole_number
-from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
 from ..written import plus, times
 from .cox_de_boor import triangle
 from .de_boor import de_boor
 from .knots import KnotVector
-from .weights import Row, blossom_weights, combined, read_points
+from .weights import Row, blossom_weights, combined, field_of_numbers, read_points
 
 
 def derivative(
@@ -117,16 +116,23 @@ def definite_integral(knots: KnotVector, points: Any, start: Any = None, end: An
         knots.domain[k] if given is None else by_name(exact(given))
         for k, given in enumerate((start, end))
     ]
-    below, above = (de_boor(wider, rows, at)[-1][0] for at in ends)
-    return tuple(_normal(b - a) for a, b in zip(below, above, strict=True))
+    below, above = (_value(wider, rows, at) for at in ends)
+    return tuple(b - a for a, b in zip(below, above, strict=True))
+
+
+def _value(knots: KnotVector, points: tuple[Point, ...], at: sp.Expr) -> Point:
+    """Return a curve's point, as a combination of control points where the field holds `at`."""
+    span, known = knots.span(at), field_of_numbers([*knots.knots, at])
+    if known is None or known[0] != knots.field:
+        return tuple(map(_normal, de_boor(knots, points, at)[-1][0]))
+    weights = blossom_weights(knots.elements, span, [(known[1][-1], True)] * knots.degree, known[0])
+    return combined(knots, [(span - knots.degree, weights)], points)[0]
 
 
 def _normal(number: sp.Expr) -> sp.Expr:
-    """Return a number in its normal form; expressions with symbols stay as they are."""
-    if number.is_Rational or number.free_symbols:
-        return number
-    field, (element,) = common_field([number])
-    return field.to_sympy(element)
+    """Return a number in its normal form, if it has one; expressions with symbols stay as is."""
+    known = None if number.is_Rational or number.free_symbols else field_of_numbers([number])
+    return number if known is None else known[0].to_sympy(known[1][0])
 
 
 def derivative_derivation(knots: KnotVector, span: Any) -> Derivation:

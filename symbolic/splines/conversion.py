@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -35,17 +36,20 @@ class BezierSegment(NamedTuple):
 
 def segments(knots: KnotVector, points: Any) -> tuple[Segment, ...]:
     """Return the curve with these control points, one tuple of polynomials per span."""
-    rows, field = read_points(knots, points), knots.field
-    found = []
-    for j in knots.spans:
-        powers = power_rows(knots, j, knots.degree, field.zero, field.one)
-        coefficients = combined(knots, powers, rows)
-        polynomials = tuple(
-            sp.Add(*(c[axis] * PARAMETER ** (knots.degree - k) for k, c in enumerate(coefficients)))
-            for axis in range(len(rows[0]))
-        )
-        found.append(Segment(*knots.interval(j), polynomials))
-    return tuple(found)
+    rows = read_points(knots, points)
+    return tuple(segment(knots, j, rows) for j in knots.spans)
+
+
+def segment(knots: KnotVector, span: int, rows: Sequence[Point]) -> Segment:
+    """Return the curve on one span, for control points that have been read."""
+    field, p = knots.field, knots.degree
+    powers = power_rows(knots, span, p, field.zero, field.one)
+    coefficients = combined(knots, powers, rows)
+    polynomials = tuple(
+        sp.Add(*(c[axis] * PARAMETER ** (p - k) for k, c in enumerate(coefficients)))
+        for axis in range(len(rows[0]))
+    )
+    return Segment(*knots.interval(span), polynomials)
 
 
 def bezier_rows(knots: KnotVector, span: int) -> list[Row]:

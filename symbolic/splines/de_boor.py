@@ -7,7 +7,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..exact import PARAMETER, Point, exact
+from ..exact import PARAMETER, Point, by_name, exact
 from ..proofs.derivation import Derivation, Step
 from .knots import KnotVector
 from .weights import combined, control_symbols, power_rows, read_points
@@ -52,7 +52,7 @@ def de_boor(knots: KnotVector, points: Any, t: Any, span: Any = None) -> Levels:
     (((2, 2), (3, 2)), ((2, 2),))
     """
     rows = read_points(knots, points)
-    t = exact(t)
+    t = by_name(exact(t))
     j = span_of(knots, t, span)
     p, u = knots.degree, knots.knots
     levels = [rows[j - p : j + 1]]
@@ -89,7 +89,7 @@ def labels(knots: KnotVector, span: Any, t: Any = PARAMETER) -> Labels:
     (((0, 1), (1, 2), (2, 2)), ((t, 1), (t, 2)), ((t, t),))
     """
     knots.interval(span)
-    j, p, at = int(span), knots.degree, exact(t)
+    j, p, at = int(span), knots.degree, by_name(exact(t))
     return tuple(
         tuple((*[at] * r, *knots.knots[i + 1 : i + p - r + 1]) for i in range(j - p + r, j + 1))
         for r in range(p + 1)

@@ -153,17 +153,29 @@ def phantom_derivation() -> Derivation:
 def closed_derivation(count: int = 4, degree: int = 3) -> Derivation:
     """Return that wrapped control points close a uniform curve as smoothly as its other joints.
 
+    Raises
+    ------
+    BadValue
+        If count is not a whole number, or below the degree.
+
     Examples
     --------
     >>> closed_derivation(4, 2).is_proved
     True
     """
     degree = degree_from(degree, 1)  # constant pieces do not join
-    points = sp.symbols(f"P0:{count}")
+    number = whole_number(count)
+    if number is None or number < degree:
+        raise BadValue(
+            f"a number of control points {degree}, {degree + 1}, ... for degree {degree}",
+            shown(count),
+            "A closed curve needs as many as its degree.",
+        )
+    points = sp.symbols(f"P0:{number}")
     wrapped = [row[0] for row in wrap_points([[point] for point in points], degree)]
     first, last = _uniform(wrapped[: degree + 1]), _uniform(wrapped[-degree - 1 :])
     return Derivation(
-        f"A closed uniform B-spline curve of degree {degree} with {count} points",
+        f"A closed uniform B-spline curve of degree {degree} with {number} points",
         tuple(
             Step(
                 _at(last, r, 1),

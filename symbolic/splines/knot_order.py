@@ -45,7 +45,7 @@ def in_order(knots: Sequence[sp.Expr]) -> tuple[sp.Expr, ...]:
             side = _sign_in(field, elements[j] - elements[i])
             if side == 0:
                 ordered[j] = ordered[i]
-            if side == -1 or (side == 0 and elements[j - 1] != elements[j]):
+            if side == -1 or (side == 0 and ordered[j - 1] != ordered[j]):
                 raise BadValue(
                     "knots that do not decrease",
                     f"u_{j} = {knots[j]} after u_{j - 1} = {knots[j - 1]}"

@@ -220,6 +220,7 @@ class KnotVector:
             raise BadValue("a number of times 0, 1, 2, ...", shown(times), "Insert once or more.")
         k = self.index_before(t)
         at = by_name(exact(t))
+        count = min(count, self.degree + 2)  # that many are refused, as more would be
         return KnotVector((*self.knots[: k + 1], *[at] * count, *self.knots[k + 1 :]), self.degree)
 
     def counts(self) -> dict[str, int]:

@@ -12,7 +12,7 @@ from ..errors import BadValue
 from ..exact import PARAMETER, by_name, exact
 from ..proofs.derivation import Derivation, Step
 from ..written import plus, times
-from .conversion import segments
+from .conversion import segment
 from .knots import KnotVector
 from .weights import Row, as_matrix, control_symbols, power_rows
 
@@ -79,8 +79,8 @@ def continuity_derivation(knots: KnotVector, at: Any) -> Derivation:
     left, right = joint(knots, at)
     t, p, at = PARAMETER, knots.degree, knots.knots[right]
     points = control_symbols(knots)
-    curves = dict(zip(knots.spans, segments(knots, [[P] for P in points]), strict=True))
-    before, after = curves[left].coordinates[0], curves[right].coordinates[0]
+    rows = [(point,) for point in points]
+    before, after = (segment(knots, j, rows).coordinates[0] for j in (left, right))
     order = int(knots.continuity(at))
     steps = [
         Step(Condition(at, r).of(after, t), Condition(at, r).of(before, t),

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
+from itertools import count
 from math import comb
 from typing import Any
 
@@ -100,7 +101,7 @@ def combined(knots: KnotVector, rows: Sequence[Row], points: Sequence[Point]) ->
     weights = [w for _, row in rows for w in row]
     known = None
     if not any(c.free_symbols for c in coordinates):
-        known = _numbers([*knots.knots, *coordinates])
+        known = field_of_numbers([*knots.knots, *coordinates])
     if known is None:
         return tuple(_symbolic(knots.field, row, points) for row in rows)
     field, elements = known
@@ -120,7 +121,8 @@ def combined(knots: KnotVector, rows: Sequence[Row], points: Sequence[Point]) ->
     return tuple(results)
 
 
-def _numbers(expressions: Sequence[sp.Expr]) -> tuple[Domain, list[Any]] | None:
+def field_of_numbers(expressions: Sequence[sp.Expr]) -> tuple[Domain, list[Any]] | None:
+    """Return the common field of some expressions; None where none is known, as with pi."""
     try:
         return common_field(expressions)
     except BadValue:
@@ -155,7 +157,8 @@ def read_points(knots: KnotVector, points: Any) -> tuple[Point, ...]:
 def control_symbols(knots: KnotVector) -> tuple[sp.Symbol, ...]:
     """Return symbols P0, P1, ... for the control points, other than those among the knots."""
     used = {str(s) for knot in knots.knots for s in knot.free_symbols}
-    letter = next(x for x in ("P", "Q", "D", "point") if not any(n.startswith(x) for n in used))
+    letters = (letter * k for k in count(1) for letter in "PQD")
+    letter = next(x for x in letters if not any(name.startswith(x) for name in used))
     return tuple(sp.symbols(f"{letter}0:{knots.point_count}"))
 
 

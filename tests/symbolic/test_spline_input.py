@@ -81,6 +81,8 @@ CALLS = {
     "no function": (lambda: SPLINE.to_piecewise(4), BadValue, "index 0 ... 3"),
     "no samples": (lambda: SPLINE.discretization_matrix(0), BadValue, "1, 2, ... per span"),
     "two degrees": (lambda: BSpline(SPLINE.knots, 3), BadValue, "degree 2"),
+    "a degree that is no integer": (lambda: BSpline(SPLINE.knots, 2.0), BadValue, "degree 2"),
+    "an endless insertion": (lambda: SPLINE.insert(POINTS, 1, 10**30), BadValue, "5 times 1"),
     "no degree": (lambda: BSpline([0, 0, 1, 1]), BadValue, "degree 0, 1, 2"),
     "few points for a degree": (lambda: uniform_knots(3, 3), BadValue, "at least 4"),
     "interior knots": (lambda: clamped_knots(5, 3, [R(1, 3), R(1, 2)]), BadValue, "1 interior"),
@@ -89,6 +91,9 @@ CALLS = {
     "one point alone": (lambda: phantom_ends([[0]]), BadValue, "two control points"),
     "a short loop": (lambda: wrap_points([[0], [1]], 3), BadValue, "at least 3"),
     "a loop of no degree": (lambda: closed_derivation(4, 0), BadValue, "degree 1, 2"),
+    "a loop of no number": (lambda: closed_derivation([]), BadValue, "3, 4, ... for degree 3"),
+    "a loop of text": (lambda: closed_derivation("x"), BadValue, "3, 4, ... for degree 3"),
+    "a loop of few points": (lambda: closed_derivation(2), BadValue, "for degree 3, received 2"),
     "the derivative of a constant": (
         lambda: BSpline([0, 1], 0).derivative_derivation(0), BadValue, "degree 1, 2"),
     "a place that symbols hide": (
@@ -107,6 +112,22 @@ def test_bad_calls(name):
 def test_assumptions_do_not_tell_symbols_apart():
     knots = KnotVector([0, 0, sp.Symbol("a", positive=True), sp.Symbol("a"), 1, 1], 1)
     assert knots.multiplicity(a) == 2
+    point = BSpline(knots).de_boor([[1], [2], [3], [4]], sp.Symbol("a", positive=True), 1)[-1][0]
+    assert point == (2,)
+
+
+def test_equal_knots_are_one_even_where_roots_are_free_generators():
+    root = sum(map(sp.sqrt, (2, 3, 5, 7)))
+    knots = KnotVector([0, 0, sp.Mul(root, root, evaluate=False), sp.expand(root**2), 99, 99], 1)
+    assert knots.multiplicity(root**2) == 2
+
+
+def test_control_points_are_never_called_as_the_knots_are():
+    for names in ("P Q D", "P0 P1 x y", "P D QQ R"):
+        knots = KnotVector((*sp.symbols(names), 3, 4), 1)
+        derivation = BSpline(knots).continuity_derivation(knots.knots[2])
+        points = derivation.steps[-1].right.free_symbols - set(knots.knots)
+        assert derivation.is_proved and len(points) == 3
 
 
 @pytest.mark.parametrize("knots", [SPLINE.knots.knots, [0, 0, 0, a, b, 2, 2, 2],

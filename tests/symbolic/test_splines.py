@@ -158,6 +158,19 @@ def test_derivatives_and_integrals(knots, data):
     assert left[0] + right[0] == area and spline.integral(points, end, start) == (-area,)
 
 
+def test_integrals_of_numbers_without_a_known_field_and_of_many_roots():
+    spline = BSpline([0, 0, 0, 1, 2, 2, 2], 2)
+    assert spline.integral([[sp.pi], [1], [2], [3]]) == (sp.pi / 3 + 3,)
+    (part,) = spline.integral([[1]] * 4, 0, sp.pi / 3)
+    assert sp.expand(part) == sp.pi / 3
+    gaps = [sp.sqrt(1 + k * k) for k in range(7)]
+    knots = [sum(gaps[:k]) for k in range(8)]  # seven roots: quotients of them grow fast
+    spline, points = BSpline(knots, 2), [[1], [2], [4], [8], [16]]
+    pieces = spline.to_bezier(points)  # the mean of the control points is that of a curve
+    expected = sum(float((end - start) * sum(p[0] for p in ps) / 3) for start, end, ps in pieces)
+    assert abs(float(spline.integral(points)[0]) - expected) < 1e-12 * expected
+
+
 @few
 @given(knot_vectors())
 def test_a_knot_of_multiplicity_m_leaves_degree_minus_m_derivatives(knots):
