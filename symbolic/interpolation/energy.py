@@ -15,6 +15,7 @@ from ..written import plus
 from .cubic_spline import InterpolatingSpline, energy_of_span
 
 t = PARAMETER
+_SOURCE = "Holladay 1957; de Boor, A Practical Guide to Splines, chapter V"
 
 
 def minimum_acceleration(spline: InterpolatingSpline) -> Derivation:
@@ -60,36 +61,45 @@ def minimum_acceleration(spline: InterpolatingSpline) -> Derivation:
             "natural, clamped or periodic ends", "not-a-knot ends",
             "A spline with these minimizes nothing: others accelerate less.",
         )  # fmt: skip
-    steps = [step for axis in range(len(spline.points[0])) for step in _of_coordinate(spline, axis)]
     f, g = sp.symbols("s'' g''")
-    because = "so the energy of s + g is that of s plus that of g: the mixed integral is zero"
-    steps.append(Step((f + g) ** 2, f**2 + 2 * f * g + g**2, because))
-    return Derivation(f"The {spline.ends} cubic spline accelerates least", tuple(steps))
+    because = "the energy of s + g is that of s, twice the integral of s'' g'', and that of g"
+    steps = [Step((f + g) ** 2, f**2 + 2 * f * g + g**2, because)]
+    for axis in range(len(spline.points[0])):
+        steps.extend(_of_coordinate(spline, axis))
+    return Derivation(f"The {spline.ends} cubic spline accelerates least", tuple(steps), _SOURCE)
 
 
 def _of_coordinate(spline: InterpolatingSpline, axis: int) -> list[Step]:
     name = f"coordinate {axis + 1}: " if len(spline.points[0]) > 1 else ""
     moments = [row[axis] for row in spline.accelerations]
     d, e = _freedoms(spline)
-    steps, crossed = [], []
+    steps: list[Step] = []
+    of_s, mixed, of_g = [], [], []
     for i, piece in enumerate(spline.pieces):
-        gap, span = piece.end - piece.start, f"{name}span {i + 1}: "
+        gap = piece.end - piece.start
+        of_s.append(energy_of_span(gap, moments[i], moments[i + 1]))
+        mixed.append(moments[i + 1] * d[i + 1] - moments[i] * d[i])
+        of_g.append(_energy_of_g(gap, d[i : i + 2], e[i : i + 2]))
+        bend = _acceleration(gap, d[i : i + 2], e[i : i + 2])
         line = moments[i] + (moments[i + 1] - moments[i]) * t / gap
         (moved,) = substitute([line], {t: t - piece.start})
-        bend = _acceleration(gap, d[i : i + 2], e[i : i + 2])
-        ends = moments[i + 1] * d[i + 1] - moments[i] * d[i]
-        crossed.append(ends)
+        span = f"{name}span {i + 1}: "
         steps += [
             Step(sp.Derivative(piece.coordinates[axis], (t, 2)), moved, span + "s'' is linear"),
-            Step(_integral(line**2, gap), energy_of_span(gap, moments[i], moments[i + 1]),
+            Step(_integral(line**2, gap), of_s[i],
                  span + "the energy of s; t is counted from the start of the span"),
-            Step(_integral(line * bend, gap), ends,
+            Step(_integral(line * bend, gap), mixed[i],
                  span + "by parts, of s'' g'' only s'' g' at both ends is left"),
-            Step(_integral(bend**2, gap), _energy_of_g(gap, d[i : i + 2], e[i : i + 2]),
+            Step(_integral(bend**2, gap), of_g[i],
                  span + "the energy of g, the integral of a square and so not negative"),
         ]  # fmt: skip
     because = f"{name}over all spans the mixed terms cancel, by the {spline.ends} ends"
-    return [*steps, Step(plus(*crossed), sp.S.Zero, because)]
+    steps.append(Step(plus(*mixed), sp.S.Zero, because))
+    if not any(part.free_symbols for part in of_s):  # with symbols the sums would fill pages
+        parts = [part for x, y, z in zip(of_s, mixed, of_g, strict=True) for part in (x, 2 * y, z)]
+        because = f"{name}over all spans, the energy of s + g is that of s plus that of g: not less"
+        steps.append(Step(plus(*parts), plus(sp.Add(*of_s), sp.Add(*of_g)), because))
+    return steps
 
 
 def _freedoms(spline: InterpolatingSpline) -> tuple[list[sp.Expr], list[sp.Expr]]:
