@@ -237,7 +237,7 @@ def _rebuilt(name: str, geometry: Any, matrix: sp.ImmutableMatrix, derive: Any) 
 
 
 def _one_of(name: str, value: Any, choices: tuple[str, ...]) -> None:
-    if value not in choices:
+    if not isinstance(value, str) or value not in choices:
         raise BadValue(
             f"{name} to be {' or '.join(map(repr, choices))}", shown(value), "Choose one of these."
         )

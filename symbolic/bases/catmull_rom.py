@@ -16,13 +16,13 @@ from ..dag import postorder
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list
 from ..fields import common_field, is_radical
+from ..names import unused_letter
 from ..polynomials import Coefficients, expression
 from ..proofs.derivation import Derivation, Step
-from ..signs import sign
 from ..written import plus, times
 from .basis import Basis, Geometry
 from .constraints import Condition, derivative, value
-from .parameters import parameter_from, refuse_clash
+from .parameters import increasing_parameters, refuse_clash
 
 _UNIFORM = tuple(sp.Integer(k) for k in (-1, 0, 1, 2))
 _POINTS = sp.symbols("P0:4")
@@ -81,15 +81,8 @@ def _knots_from(knots: Any) -> tuple[sp.Expr, ...]:
             f"{len(listed)}",
             "Give each segment the knots of its own four points.",
         )
-    read = tuple(map(parameter_from, listed))
+    read = increasing_parameters(listed)
     refuse_clash(read, _POINTS)
-    for a, b in pairwise(read):
-        if sign(b - a) in (0, -1):
-            raise BadValue(
-                "increasing knots",
-                f"{a} and then {b}",
-                "Sort them; for equal knots leave a point out.",
-            )
     return read
 
 
@@ -140,7 +133,8 @@ def _derivation(basis: Basis, knots: tuple[sp.Expr, ...]) -> Derivation:
     title = f"{basis.name}: from Barry and Goldman's pyramid to the matrix"
     if any(is_radical(node) for node in postorder(knots)):
         # What holds for all gaps holds for these too; with roots the lines would be unreadable.
-        gaps = [sp.Symbol(f"h{i}") for i in range(3)]
+        letter = unused_letter("hd", knots)
+        gaps = [sp.Symbol(f"{letter}{i}") for i in range(3)]
         given = ", ".join(f"{h} = {b - a}" for h, (a, b) in zip(gaps, pairwise(knots), strict=True))
         title += f", in the gaps {given}"
         knots = (-gaps[0], sp.S.Zero, gaps[1], gaps[1] + gaps[2])

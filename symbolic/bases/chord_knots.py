@@ -24,7 +24,8 @@ def chord_knots(points: Any, alpha: Any) -> tuple[sp.Expr, ...]:
     Raises
     ------
     BadValue
-        For another alpha, symbolic coordinates, and coincident neighbours where alpha > 0.
+        For another alpha, imaginary coordinates, and where alpha > 0 for symbolic ones and for
+        coincident neighbours.
     BadType, NotExact
         For points or numbers that cannot be read exactly.
 
@@ -48,6 +49,10 @@ def chord_knots(points: Any, alpha: Any) -> tuple[sp.Expr, ...]:
 
 
 def _gap(left: Point, right: Point, power: sp.Rational, i: int) -> sp.Expr:
+    if any(x.is_real is False for x in (*left, *right)):
+        raise BadValue(
+            "real coordinates", f"{left} and {right}", "Give real and imaginary part as x and y."
+        )
     squared = sp.Add(*((b - a) ** 2 for a, b in zip(left, right, strict=True)))
     squared = squared if squared.is_Rational else sp.expand(squared)
     if power == 0:

@@ -9,9 +9,10 @@ import sympy as sp
 from sympy.polys.matrices import DomainMatrix
 
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, as_list, by_name, exact
+from ..exact import PARAMETER, as_list, by_name, exact, whole_number
 from ..exact_matrix import dense
-from .constraints import Condition
+from ..fields import common_field
+from .constraints import Condition, derivative, value
 from .parameters import refuse_clash
 
 _LETTERS = {0: "P", 1: "T", 2: "A", 3: "J"}  # position, tangent, acceleration, jerk
@@ -38,17 +39,25 @@ def read_constraints(constraints: Iterable[Any]) -> tuple[list[Condition], list[
                 shown(entry),
                 "Write for example (derivative(0), 3*(P1 - P0)).",
             )
-        conditions.append(pair[0])
+        conditions.append(_read(pair[0]))
         combinations.append(None if bare else by_name(exact(pair[1])))
     if not conditions:
         raise BadValue("at least one constraint", "none", "A cubic needs four.")
     expressions = [condition.at for condition in conditions]
     expressions += [right for right in combinations if right is not None]
+    common_field(expressions)  # refuses functions
     taken = {str(symbol) for expression in expressions for symbol in expression.free_symbols}
     named: list[sp.Expr] = []
     for condition, right in zip(conditions, combinations, strict=True):
         named.append(_next_symbol(condition.order, taken) if right is None else right)
     return conditions, named
+
+
+def _read(condition: Condition) -> Condition:
+    """Return a condition with its parts read; `Condition` itself takes whatever comes."""
+    if whole_number(condition.order) == 0:
+        return value(condition.at)
+    return derivative(condition.at, condition.order)
 
 
 def _next_symbol(order: int, taken: set[str]) -> sp.Symbol:
@@ -88,12 +97,11 @@ def entries_of(
 
 
 def _given(geometry: Any) -> tuple[sp.Symbol, ...]:
-    symbols = as_list(geometry) or []
-    if not all(isinstance(s, sp.Symbol) for s in symbols) or len({*symbols}) != len(symbols):
+    listed = as_list(geometry) or []
+    symbols = tuple(by_name(s) for s in listed if isinstance(s, sp.Symbol))
+    if not symbols or len({*symbols}) < len(listed):
         raise BadType("different symbols as geometry", shown(geometry), "Use symbols('P0:4').")
-    if not symbols:
-        raise BadType("symbols as geometry", shown(geometry), "Use symbols('P0:4').")
-    return tuple(by_name(symbol) for symbol in symbols)
+    return symbols
 
 
 def demand_rows(entries: Sequence[sp.Symbol], combinations: Sequence[sp.Expr]) -> DomainMatrix:

@@ -14,6 +14,7 @@ from ..errors import UnsolvableConstraints
 from ..exact import PARAMETER
 from ..exact_matrix import inverse, product, solution, to_matrix
 from ..fields import common_field
+from ..names import unused_letter
 from ..proofs.derivation import Derivation, Step
 from ..written import times
 from .basis import Basis, Geometry
@@ -142,7 +143,8 @@ def _derivation(
     conditions: Sequence[Condition],
     combinations: Sequence[sp.Expr],
 ) -> Derivation:
-    unknowns = [sp.Symbol(f"a_{k}") for k in range(basis.degree, -1, -1)]
+    letter = unused_letter("abc", (*(condition.at for condition in conditions), *combinations))
+    unknowns = [sp.Symbol(f"{letter}_{k}") for k in range(basis.degree, -1, -1)]
     curve = sp.Add(*(a * p for a, p in zip(unknowns, basis.powers, strict=True)))
     powers, column = sp.ImmutableMatrix([basis.powers]), sp.ImmutableMatrix(unknowns)
     system = _system(conditions)

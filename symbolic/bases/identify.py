@@ -113,7 +113,7 @@ def identify(matrix: Any) -> list[Identification]:
 
 def _rows(matrix: Any) -> list[list[sp.Expr]]:
     side = read_side(matrix)
-    if len(side.shape) != 2:
+    if len(side.shape) != 2 or not side.scalars:
         raise BadType("a matrix", shown(matrix), "Give a SymPy matrix or a list of rows.")
     scalars = [by_name(scalar) for scalar in side.scalars]
     if any(PARAMETER in scalar.free_symbols for scalar in scalars):

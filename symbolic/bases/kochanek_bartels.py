@@ -14,7 +14,7 @@ from ..written import plus, times
 from .basis import Basis
 from .constraints import derivative, value
 from .from_constraints import basis_of
-from .parameters import refuse_clash
+from .parameters import parameter_from, refuse_clash
 
 _POINTS = sp.symbols("P0:4")
 
@@ -147,4 +147,4 @@ def _derivation(
 def _parameter(given: Any) -> sp.Expr:
     expression = by_name(exact(given))
     refuse_clash([expression], _POINTS)
-    return expression
+    return parameter_from(expression)

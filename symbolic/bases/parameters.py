@@ -11,7 +11,8 @@ from sympy.polys.domains.domain import Domain
 from ..dag import postorder
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, by_name, exact
-from ..fields import HIGHEST_ALGEBRAIC_DEGREE, is_radical
+from ..fields import HIGHEST_ALGEBRAIC_DEGREE, common_field, is_radical
+from ..signs import sign
 
 
 def parameter_from(given: Any) -> sp.Expr:
@@ -20,22 +21,50 @@ def parameter_from(given: Any) -> sp.Expr:
     Raises
     ------
     BadValue
-        For functions, pi, imaginary numbers, and the curve's own parameter t.
+        For functions, pi, imaginary numbers, divisions by zero, and the curve's own parameter t.
     """
     expression = exact(given)
     if expression.is_Rational:
         return expression
     expression = by_name(expression)
-    nodes = list(postorder([expression]))
-    strange = [node for node in nodes if node.is_Function or node is sp.pi or node is sp.E]
-    imaginary = [node for node in nodes if node.is_number and node.is_real is False]
-    if strange or imaginary or PARAMETER in expression.free_symbols:
+    common_field([expression])  # refuses functions, pi, and divisions by zero
+    nodes = postorder([expression])
+    imaginary = any(node.is_number and node.is_real is False for node in nodes)
+    if imaginary or PARAMETER in expression.free_symbols:
         raise BadValue(
             "a parameter made of numbers, roots and other symbols than t",
             shown(given),
             "Use a rational number or a symbol such as a.",
         )
     return expression
+
+
+def increasing_parameters(given: Sequence[Any]) -> tuple[sp.Expr, ...]:
+    """Read parameters that increase; symbols are assumed to, unless the others contradict it.
+
+    Raises
+    ------
+    BadValue
+        As in `parameter_from`, and where a parameter is not larger than an earlier one.
+
+    Examples
+    --------
+    >>> a = sp.Symbol("a")
+    >>> increasing_parameters([0, a, 2 * a])
+    (0, a, 2*a)
+    """
+    read = tuple(map(parameter_from, given))
+    are_numbers = not any(parameter.free_symbols for parameter in read)
+    for j, later in enumerate(read):
+        # Numbers increase if neighbours do; symbols between them can hide a decrease.
+        for earlier in read[j - 1 : j] if are_numbers else read[:j]:
+            if sign(later - earlier) in (0, -1):
+                raise BadValue(
+                    "increasing knots",
+                    f"{earlier} and then {later}",
+                    "Sort them; of equal ones leave one out.",
+                )
+    return read
 
 
 def refuse_clash(parameters: Iterable[sp.Expr], entries: Sequence[sp.Symbol]) -> None:

@@ -13,6 +13,7 @@ from sympy.polys.domains.domain import Domain
 
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, as_list, by_name, exact, whole_number
+from ..names import unused_letter
 from ..parameter_interval import read_interval
 from ..polynomials import polynomials
 from ..proofs.derivation import Derivation, Step
@@ -115,8 +116,7 @@ class Blossom:
     @cached_property
     def arguments(self) -> tuple[sp.Symbol, ...]:
         """Symbols u1, ..., un for the arguments, other than those in the polynomial."""
-        used = {str(s) for e in self.coordinates for s in e.free_symbols}
-        letter = next(x for x in ("u", "v", "w", "argument") if not any(n[0] == x for n in used))
+        letter = unused_letter("uvw", (self.variable, *self.coordinates))
         return tuple(sp.symbols(f"{letter}1:{self.degree + 1}"))
 
     def certificate(self) -> Derivation:

@@ -153,6 +153,7 @@ def _arguments(
     listed = as_list(arguments)
     if listed is None:
         raise BadType("a list of symbols", shown(arguments), "Write symbols('u1:4').")
-    if not all(isinstance(x, sp.Symbol) for x in listed) or len({*listed}) < len(listed):
+    symbols = [by_name(x) for x in listed if isinstance(x, sp.Symbol)]
+    if len({*symbols}) < len(listed):
         raise BadValue("different symbols as arguments", shown(arguments), "Write symbols('u1:4').")
-    return [by_name(x) for x in listed]
+    return symbols

@@ -11,8 +11,9 @@ import sympy as sp
 
 from ..bases.bezier import bezier
 from ..bases.hermite import hermite
+from ..bases.parameters import increasing_parameters
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, Point, as_list, control_points, exact
+from ..exact import PARAMETER, Point, as_list, control_points
 from ..fields import common_field
 from ..proofs.derivation import Derivation
 from ..signs import sign
@@ -161,25 +162,17 @@ def _knots(knots: Any, count: int) -> tuple[sp.Expr, ...]:
     listed = as_list(knots) if knots is not None else list(range(count))
     if listed is None:
         raise BadType("a list of knots", shown(knots), "Write [0, 1, 3].")
-    parameters = tuple(exact(knot) for knot in listed)
-    if len(parameters) != count or count < 2:
+    if len(listed) != count or count < 2:
         raise BadValue(
             "one knot per point, and at least two of them",
-            f"{len(parameters)} knots for {count} points",
+            f"{len(listed)} knots for {count} points",
             "Point i is taken at knot i.",
         )
-    if any(t in knot.free_symbols for knot in parameters):
-        raise BadValue("knots that do not contain t", shown(knots), "Call them by other names.")
-    for a, b in pairwise(parameters):
-        if sign(b - a) in (0, -1):
-            raise BadValue(
-                "increasing knots", f"{a} before {b}", "Sort them, and merge equal ones."
-            )
-    return parameters
+    return increasing_parameters(listed)
 
 
 def _tangents(tangents: Any, ends: Any, dim: int) -> tuple[Point, ...]:
-    if ends not in get_args(Ends):
+    if not isinstance(ends, str) or ends not in get_args(Ends):
         raise BadValue(f"ends as one of {', '.join(get_args(Ends))}", shown(ends), "Choose one.")
     if (tangents is None) == (ends == "clamped"):
         raise BadValue(

@@ -10,6 +10,7 @@ from ..bases.hermite import hermite
 from ..dag import substitute
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER
+from ..names import unused_letter
 from ..proofs.derivation import Derivation, Step
 from ..written import plus
 from .cubic_spline import InterpolatingSpline, energy_of_span
@@ -105,7 +106,10 @@ def _of_coordinate(spline: InterpolatingSpline, axis: int) -> list[Step]:
 def _freedoms(spline: InterpolatingSpline) -> tuple[list[sp.Expr], list[sp.Expr]]:
     """Return slopes and second derivatives of g at the knots, as its end conditions leave them."""
     count = len(spline.knots)
-    d, e = list(sp.symbols(f"d0:{count}")), list(sp.symbols(f"e0:{count}"))
+    data = [*spline.knots, *(x for row in (*spline.points, *spline.slopes) for x in row)]
+    d, e = (
+        list(sp.symbols(f"{unused_letter(letters, data)}0:{count}")) for letters in ("dv", "ew")
+    )
     if spline.ends == "clamped":
         d[0] = d[-1] = sp.S.Zero
     if spline.ends == "periodic":

@@ -135,3 +135,17 @@ def test_constraints_are_met_or_the_dependent_ones_named(drawn):
     for i, f in enumerate(basis.functions):
         values = [sp.diff(f, t, order).subs(t, at) for at, order in drawn]
         assert values == [int(i == j) for j in range(len(drawn))]
+
+
+@pytest.mark.parametrize("build", [
+    lambda: basis_from([value(0), value(sp.Symbol("a_1"))]),
+    lambda: basis_from([(value(0), sp.Symbol("a_0")), (value(1), sp.Symbol("b_1"))]),
+    lambda: catmull_rom([0, sp.sqrt(2), *sp.symbols("h0 h1")]),
+])  # fmt: skip
+def test_symbols_of_a_derivation_are_not_those_of_the_reader(build):
+    basis = build()
+    theirs = set().union(*(s.free_symbols for s in basis.matrix), sp.symbols("a_0 b_1"))
+    steps = basis.derivation.steps
+    own = {s for step in steps for side in (step.left, step.right) for s in side.free_symbols}
+    unknowns = own - theirs - {entry.symbol for entry in basis.geometry} - {basis.parameter}
+    assert basis.derivation.is_proved and len(unknowns) >= basis.degree

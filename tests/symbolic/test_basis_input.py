@@ -1,5 +1,6 @@
 """Bad input for bases is told in one sentence: what was expected, what came, the remedy."""
 
+import numpy as np
 import pytest
 import sympy as sp
 from sympy import sqrt
@@ -7,6 +8,7 @@ from sympy import sqrt
 from symbolic import (
     BadType,
     BadValue,
+    Condition,
     NotExact,
     UnsolvableConstraints,
     basis_from,
@@ -46,6 +48,13 @@ BAD = {
     "decreasing knots": (lambda: catmull_rom([0, 1, 3, 2]), BadValue, "3 and then 2"),
     "a double knot": (lambda: catmull_rom([0, 1, 1, 2]), BadValue, "increasing knots"),
     "a double symbolic knot": (lambda: catmull_rom([0, a, a, 2]), BadValue, "a and then a"),
+    "knots that turn back behind a symbol": (
+        lambda: catmull_rom([a, 2, a, 3]), BadValue, "a and then a"),
+    "knots that decrease behind a symbol": (
+        lambda: catmull_rom([0, a, -1, 3]), BadValue, "0 and then -1"),
+    "a node divided by zero": (
+        lambda: lagrange([1, 1 / sp.Add(a, -a, evaluate=False)]), BadValue, "division by zero"),
+    "a function as a node": (lambda: value(2**a), BadValue, "numbers, roots"),
     "knots equal but not written so": (
         lambda: catmull_rom([0, (1 + sqrt(2)) ** 2, 3 + 2 * sqrt(2), 9]), BadValue, "increasing"),
     "float knots": (lambda: catmull_rom([0, 1.5, 2, 3]), NotExact, r"Rational\(3, 2\)"),
@@ -60,6 +69,23 @@ BAD = {
     "t as tension": (lambda: cardinal(t), BadValue, "other names than t"),
     "a point as bias": (lambda: kochanek_bartels(0, 0, P1), BadValue, "P1"),
     "a float tension": (lambda: cardinal(0.5), NotExact, r"Rational\(1, 2\)"),
+    "an imaginary tension": (lambda: cardinal(sp.I), BadValue, "numbers, roots"),
+    "a tension divided by zero": (
+        lambda: cardinal(1 / sp.Add(a, -a, evaluate=False)), BadValue, "division by zero"),
+    "imaginary points": (
+        lambda: chord_knots([[0, 0], [1, sp.I]], 1), BadValue, "real coordinates"),
+    "a matrix without entries": (lambda: identify([[], []]), BadType, "a matrix"),
+    "an array as the order of powers": (
+        lambda: bezier(2).matrix_as(np.array([1, 2])), BadValue, "'descending'"),
+    "one entry under two assumptions": (
+        lambda: basis_from([(value(0), P0), (value(1), P1)], [P0, sp.Symbol("P0", real=True)]),
+        BadType, "different symbols"),
+    "an indexed entry": (
+        lambda: basis_from([value(0), (value(1), sp.IndexedBase("p")[1])]), BadValue, r"p\[1\]"),
+    "a condition made by hand at a float": (
+        lambda: basis_from([Condition(0.5, 0), value(1)]), NotExact, r"Rational\(1, 2\)"),
+    "a condition made by hand of order -1": (
+        lambda: basis_from([Condition(0, -1), value(1)]), BadValue, "order 1, 2, 3"),
     "text as tension": (lambda: cardinal("T"), BadType, "never parsed"),
     "degree 0": (lambda: uniform_bspline(0), BadValue, "degree 1, 2, 3"),
     "a float degree": (lambda: monomial(2.0), BadValue, "degree 1, 2, 3"),

@@ -203,6 +203,7 @@ def test_a_symbolic_blossom_of_high_degree_stays_small():
     (lambda: check_blossom(a, t, [a, a]), BadValue),
     (lambda: check_blossom(a * b, t**2, (x for x in (a, b))), BadType),
     (lambda: check_blossom(a * b, t**2, 2), BadType),
+    (lambda: check_blossom(a * b, t**2, [a, sp.Symbol("a", real=True)]), BadValue),
     (lambda: check_blossom(0.5 * a, t), NotExact),
     (lambda: elevate_degree([[0], [1]], -1), BadValue),
     (lambda: elevate_degree([[0], [1]], 1.0), BadValue),

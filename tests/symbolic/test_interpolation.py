@@ -23,7 +23,7 @@ from symbolic import (
     runge_phenomenon,
 )
 
-t = sp.Symbol("t")
+t, a, b, c = sp.symbols("t a b c")
 ENDS = ("natural", "clamped", "periodic", "not-a-knot")
 rationals = st.fractions(min_value=-5, max_value=5, max_denominator=8)
 
@@ -176,7 +176,14 @@ def test_a_wrong_spline_is_refuted():
     (lambda: interpolating_spline([[0], [1]], [0, 1, 2]), BadValue, "one knot per point"),
     (lambda: interpolating_spline([[0]]), BadValue, "at least two"),
     (lambda: interpolating_spline([[0], [1]], [0, 0.5]), NotExact, "Rational"),
-    (lambda: interpolating_spline([[0], [1]], [0, t]), BadValue, "contain t"),
+    (lambda: interpolating_spline([[0], [1]], [0, t]), BadValue, "other symbols than t"),
+    (lambda: interpolating_spline([[0], [1]], [0, 1 + sp.Symbol("t", positive=True)]), BadValue,
+     "other symbols than t"),
+    (lambda: interpolating_spline([[0], [1]], [0, sp.I]), BadValue, "numbers, roots"),
+    (lambda: interpolating_spline([[i] for i in range(4)], [a, b, a, c], "not-a-knot"), BadValue,
+     "increasing knots, received a and then a"),
+    (lambda: interpolating_spline([[0], [1], [0]], [0, a, -1], "periodic"), BadValue, "0 and then"),
+    (lambda: interpolating_spline([[0], [1]], ends=np.array([1, 2])), BadValue, "ends as one of"),
     (lambda: interpolating_spline([[0], [1]], 3), BadType, "list of knots"),
     (lambda: interpolating_spline([[0], [t], [1]]), BadValue, "own parameter t"),
     (lambda: interpolating_spline([[0], [1]], ends="free"), BadValue, "not-a-knot"),
@@ -197,3 +204,10 @@ def test_a_wrong_spline_is_refuted():
 def test_bad_input_is_refused_in_a_sentence(call, error, words):
     with pytest.raises(error, match=f"{words}"):
         call()
+
+
+def test_the_freedoms_of_another_curve_are_not_symbols_of_the_data():
+    spline = interpolating_spline([[0], [sp.Symbol("d1")], [sp.Symbol("e0")]])
+    proof = minimum_acceleration(spline)
+    names = {s.name for step in proof.steps for s in step.right.free_symbols}
+    assert proof.is_proved and {"v1", "w0"} <= names
