@@ -17,7 +17,7 @@ from sympy.polys.domains.domain import Domain
 
 from .dag import postorder
 from .errors import BadValue, shown
-from .radicals import coprime_orders, is_radical, roots_of
+from .radicals import coprime_orders, is_nested_root, is_radical, roots_of
 
 HIGHEST_ALGEBRAIC_DEGREE = 8
 
@@ -26,7 +26,8 @@ def common_field(expressions: Iterable[sp.Expr]) -> tuple[Domain, list[Any]]:
     """Return the smallest field that holds all the expressions, and their elements.
 
     Symbols are free; radicals of rationals are algebraic numbers, or, where their field would have
-    a degree above 8, free generators too: what holds for these holds for the numbers.
+    a degree above 8, free generators too: what holds for these holds for the numbers. Nested roots,
+    as in sqrt(2 + sqrt(2)), are algebraic numbers of degree at most 8 together with the others.
     `field.to_sympy(element)` leads back.
 
     Raises
@@ -48,15 +49,17 @@ def common_field(expressions: Iterable[sp.Expr]) -> tuple[Domain, list[Any]]:
         return sp.QQ, [sp.QQ.from_sympy(e) for e in listed]
     nodes = list(postorder(listed, operands))
     for node in nodes:
-        if not (node.is_Rational or node.is_Symbol or operands(node) or is_radical(node)):
+        if not (node.is_Rational or node.is_Symbol or operands(node) or _is_root(node)):
             raise BadValue(
                 "numbers, roots and symbols, added, multiplied and divided",
                 shown(node),
                 "Put a symbol in its place.",
             )
     symbols = sorted({node for node in nodes if node.is_Symbol}, key=str)
-    found = coprime_orders(node for node in nodes if is_radical(node))
-    field, roots = _field(tuple(symbols), tuple(found.items()))
+    nested = sorted({_first_power(n) for n in nodes if is_nested_root(n)}, key=str)
+    inside = [node for node in postorder(nested) if is_radical(node)]
+    orders = coprime_orders([*(node for node in nodes if is_radical(node)), *inside])
+    field, roots = _field(tuple(symbols), tuple(orders.items()), tuple(nested))
     values: dict[int, Any] = {}
     try:
         for node in nodes:
@@ -64,6 +67,15 @@ def common_field(expressions: Iterable[sp.Expr]) -> tuple[Domain, list[Any]]:
     except ZeroDivisionError:
         raise BadValue("finite numbers", "a division by zero", "Leave such values out.") from None
     return field, [values[id(e)] for e in listed]
+
+
+def _first_power(nested: sp.Basic) -> sp.Expr:
+    """Return the root of which a nested root such as (2 + sqrt(2))**(-3/2) is a power."""
+    return sp.Pow(nested.base, sp.Rational(1, nested.exp.q))
+
+
+def _is_root(node: sp.Basic) -> bool:
+    return is_radical(node) or is_nested_root(node)
 
 
 def operands(node: sp.Basic) -> tuple[sp.Basic, ...]:
@@ -82,23 +94,37 @@ def _degree(orders: Iterable[tuple[int, int]]) -> int:
 
 @lru_cache(maxsize=256)
 def _field(
-    symbols: tuple[sp.Symbol, ...], orders: tuple[tuple[int, int], ...]
-) -> tuple[Domain, dict[int, tuple[int, Any]]]:
-    """Return the field, and for every base the order of its root and the root in the field."""
+    symbols: tuple[sp.Symbol, ...],
+    orders: tuple[tuple[int, int], ...],
+    nested: tuple[sp.Expr, ...],
+) -> tuple[Domain, dict[Any, tuple[int, Any]]]:
+    """Return the field; and its roots with their orders, by their bases or, if nested, as such."""
     roots = [sp.Pow(base, sp.Rational(1, n)) for base, n in orders]
+    keys = [base for base, _ in orders] + list(nested)
+    powers = [n for _, n in orders] + [1] * len(nested)
     numbers: Any = sp.QQ
-    if _degree(orders) > HIGHEST_ALGEBRAIC_DEGREE:
+    if _degree(orders) * prod(int(root.exp.q) for root in nested) > HIGHEST_ALGEBRAIC_DEGREE:
+        _refuse_nested(nested)
         field = numbers.frac_field(*symbols, *roots)
         elements = field.gens[len(symbols) :]
     else:
-        numbers = numbers.algebraic_field(*roots) if roots else numbers
+        numbers = numbers.algebraic_field(*roots, *nested) if roots else numbers
         field = numbers.frac_field(*symbols) if symbols else numbers
-        elements = [field.convert_from(numbers.from_sympy(root), numbers) for root in roots]
-    return field, {base: (n, e) for (base, n), e in zip(orders, elements, strict=True)}
+        elements = [field.convert_from(numbers.from_sympy(x), numbers) for x in (*roots, *nested)]
+    return field, dict(zip(keys, zip(powers, elements, strict=True), strict=True))
+
+
+def _refuse_nested(nested: tuple[sp.Expr, ...]) -> None:
+    if nested:
+        raise BadValue(
+            f"nested roots from a field of degree at most {HIGHEST_ALGEBRAIC_DEGREE}",
+            shown(nested[0]),
+            "Put a symbol in its place.",
+        )
 
 
 def _element(
-    node: sp.Basic, below: list[Any], field: Domain, roots: dict[int, tuple[int, Any]]
+    node: sp.Basic, below: list[Any], field: Domain, roots: dict[Any, tuple[int, Any]]
 ) -> Any:
     if node.is_Add and below:
         return sum(below[1:], below[0])
@@ -109,9 +135,11 @@ def _element(
         if exponent < 0 and not below[0]:
             raise ZeroDivisionError
         return below[0] ** exponent
+    if is_nested_root(node):
+        return roots[_first_power(node)][1] ** int(node.exp.p)
     if not is_radical(node):
         return field.from_sympy(node)
-    rational, powers = roots_of(node, roots)
+    rational, powers = roots_of(node, (base for base in roots if isinstance(base, int)))
     element = field.from_sympy(rational)
     for base, exponent in powers.items():
         order, root = roots[base]

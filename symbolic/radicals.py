@@ -13,7 +13,7 @@ from math import gcd, lcm
 
 import sympy as sp
 
-from .dag import transformed
+from .dag import postorder, transformed
 from .intervals import enclosure
 
 _LARGEST_TRIAL_DIVISOR = 10_000
@@ -26,6 +26,20 @@ def is_radical(node: sp.Basic) -> bool:
     if not (node.is_Pow and node.base.is_Rational and node.exp.is_Rational):
         return False
     return bool(node.base) and not node.exp.is_Integer
+
+
+def is_nested_root(node: sp.Basic) -> bool:
+    """Tell whether an expression is a root of a number that contains roots itself.
+
+    >>> is_nested_root(sp.sqrt(2 + sp.sqrt(2))), is_nested_root(sp.sqrt(2))
+    (True, False)
+    """
+    if not (node.is_Pow and node.exp.is_Rational) or node.exp.is_Integer or node.base.is_Rational:
+        return False
+    return all(
+        leaf.is_Rational or is_radical(leaf) or leaf.is_Add or leaf.is_Mul or leaf.is_Pow
+        for leaf in postorder([node])
+    )
 
 
 def prime_roots(radical: sp.Expr) -> tuple[sp.Rational, dict[int, sp.Rational]]:
