@@ -13,11 +13,10 @@ from sympy.polys.densetools import dup_shift
 from sympy.polys.domains.domain import Domain
 
 from ..bases.bezier import bezier
-from ..dag import postorder
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, as_list, by_name, exact, exact_points
-from ..fields import is_radical
+from ..exact import PARAMETER, as_list, exact_points
 from ..polynomials import Coefficients, polynomials
+from ..real_numbers import real
 from .parameters import read_positive, refuse_dimensions
 
 Vector = list[Any]
@@ -98,11 +97,11 @@ def _read(value: Any) -> Given:
         raise BadType(
             "control points as rows, or coordinates as expressions in t",
             shown(value),
-            "Write [[0, 0], [1, 2], [3, 0]], or (t, t**2).",
+            "Write [[0, 0], [1, 2], [3, 0]], or (t, t**2); of a rational curve, curve.curve().",
         )
     if as_list(entries[0]) is not None:
         return _read_points(entries)
-    curve = tuple(_real(exact(entry)) for entry in entries)
+    curve = tuple(real(entry, "coordinates") for entry in entries)
     if not any(PARAMETER in c.free_symbols for c in curve):
         raise BadValue(
             f"coordinates as expressions in {PARAMETER}, or control points as rows",
@@ -113,7 +112,7 @@ def _read(value: Any) -> Given:
 
 
 def _read_points(entries: Sequence[Any]) -> Given:
-    points = tuple(tuple(_real(c) for c in row) for row in exact_points(entries))
+    points = tuple(tuple(real(c, "coordinates") for c in row) for row in exact_points(entries))
     if len(points) < 2:
         raise BadValue("at least two control points", "one", "A single point is no segment.")
     if any(PARAMETER in c.free_symbols for row in points for c in row):
@@ -123,15 +122,6 @@ def _read_points(entries: Sequence[Any]) -> Given:
             "Call it by another name; a curve is a flat tuple such as (t, t**2).",
         )
     return points
-
-
-def _real(coordinate: sp.Expr) -> sp.Expr:
-    for node in postorder([coordinate]):
-        if is_radical(node) and (node is sp.I or node.base.is_negative):
-            raise BadValue("real coordinates", shown(coordinate), "Leave complex points out.")
-        if node.is_Symbol and node.is_zero:
-            raise BadValue("free symbols", f"{node}, declared to be zero", "Write 0.")
-    return by_name(coordinate)
 
 
 def _parts(given: Given) -> list[sp.Expr]:

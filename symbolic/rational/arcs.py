@@ -6,10 +6,11 @@ from typing import Any
 
 import sympy as sp
 
-from ..errors import BadValue, shown
-from ..exact import Point, by_name, exact, exact_points
+from ..errors import BadType, BadValue, shown
+from ..exact import PARAMETER, Point, control_points
 from ..fields import common_field
 from ..proofs.derivation import Derivation, Step
+from ..real_numbers import real
 from ..signs import sign
 from ..written import plus
 from .homogeneous import decidable_field, quotient
@@ -39,7 +40,7 @@ def arc(cosine: Any, center: Any = (0, 0), radius: Any = 1) -> RationalBezier:
     >>> arc(sp.Rational(1, 2))
     RationalBezier(points=((1, 0), (1, sqrt(3)/3), (1/2, sqrt(3)/2)), weights=(1, sqrt(3)/2, 1))
     """
-    c, r = by_name(exact(cosine)), by_name(exact(radius))
+    c, r = real(cosine, "cosine"), real(radius, "radius")
     if sign(1 - c) != 1 or sign(1 + c) != 1:
         raise BadValue(
             "the cosine of an angle between 0 and 180 degrees, a number between -1 and 1",
@@ -123,10 +124,18 @@ def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> D
     >>> on_circle(arc_between([1, 0], [0, 1])).is_proved
     True
     """
+    if not isinstance(curve, RationalBezier):
+        raise BadType(
+            "a RationalBezier",
+            shown(curve),
+            "Of a NURBS curve take the pieces: nurbs.to_bezier().",
+        )
     if len(curve.points[0]) != 2:
         raise BadValue("a curve in the plane", f"{len(curve.points[0])} coordinates", "Project it.")
     mx, my = plane_point(center)
-    r = by_name(exact(radius))
+    r = real(radius, "radius")
+    if PARAMETER in r.free_symbols:
+        raise BadValue("a radius without the parameter t", shown(radius), "Use another symbol.")
     (x, y), w = curve.fractions
     left = plus((x - mx * w) ** 2, (y - my * w) ** 2)
     c = curve.curve()
@@ -143,10 +152,10 @@ def on_circle(curve: RationalBezier, center: Any = (0, 0), radius: Any = 1) -> D
 
 def plane_point(value: Any) -> Point:
     """Read one point of the plane."""
-    (row,) = exact_points([value])
+    (row,) = control_points([value])
     if len(row) != 2:
         raise BadValue("a point in the plane", shown(row), "Give two coordinates.")
-    return tuple(map(by_name, row))
+    return tuple(real(x, "coordinates") for x in row)
 
 
 def _weights(cosine: sp.Expr) -> tuple[sp.Expr, sp.Expr, sp.Expr]:

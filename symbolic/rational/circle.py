@@ -7,7 +7,8 @@ from typing import Any
 import sympy as sp
 
 from ..errors import BadValue, shown
-from ..exact import by_name, exact, whole_number
+from ..exact import whole_number
+from ..real_numbers import real
 from ..signs import sign
 from .arcs import plane_point
 from .nurbs import NURBS
@@ -51,7 +52,7 @@ def circle(center: Any = (0, 0), radius: Any = 1, segments: int = 4) -> NURBS:
             shown(segments),
             "Their sines and cosines are exact; for others put arcs of your own together.",
         )
-    r = by_name(exact(radius))
+    r = real(radius, "radius")
     if sign(r) in (0, -1):
         raise BadValue("a positive radius", shown(radius), "Use a number such as 1.")
     x, y = plane_point(center)

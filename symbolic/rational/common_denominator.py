@@ -13,8 +13,9 @@ from sympy.polys.euclidtools import dup_gcd
 
 from ..curves.conversion import polynomial_to_bezier
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, as_list, by_name, exact
+from ..exact import PARAMETER, as_list
 from ..polynomials import Coefficients, expression, polynomials
+from ..real_numbers import real
 from .homogeneous import decidable_field
 from .rational_bezier import RationalBezier
 
@@ -46,7 +47,11 @@ def over_one_denominator(
         field, found = polynomials((*numerators, denominator), PARAMETER)
     else:
         field, found = _of_expressions(_read(curve), parameter)
-    common = reduce(lambda a, b: dup_gcd(a, b, field), found)
+    common: Coefficients = []
+    for p in sorted(found, key=len):  # the shortest ones first: often there is nothing in common
+        common = dup_gcd(common, p, field)
+        if len(common) == 1:
+            break
     return field, [dup_exquo(p, common, field) if p else [] for p in found]
 
 
@@ -85,9 +90,9 @@ def _read(curve: Any) -> list[sp.Expr]:
         raise BadType(
             "a RationalBezier, or a list of coordinates",
             shown(curve),
-            "Write [t, t**2], or bezier(2).curve(points).",
+            "Write [t, t**2], or bezier(2).curve(points); a NURBS curve has one for every span.",
         )
-    return [by_name(exact(entry)) for entry in entries]
+    return [real(entry, "coordinates") for entry in entries]
 
 
 def _of_expressions(

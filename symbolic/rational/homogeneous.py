@@ -16,8 +16,9 @@ import sympy as sp
 from sympy.polys.domains.domain import Domain
 
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, Point, as_list, by_name, exact, exact_points
+from ..exact import PARAMETER, Point, as_list, exact_points
 from ..fields import common_field
+from ..real_numbers import real
 from ..signs import sign
 
 
@@ -32,13 +33,14 @@ def read_weighted(points: Any, weights: Any) -> tuple[tuple[Point, ...], Point]:
     ------
     BadValue, BadType, NotExact
         For points as in `exact_points`, a number of weights that differs from that of the points,
-        weights that are all zero, a first or last weight of zero, and the symbol t.
+        weights that are all zero, a first or last weight of zero, complex numbers, and the
+        symbol t.
     """
-    rows = tuple(tuple(map(by_name, row)) for row in exact_points(points))
+    rows = tuple(tuple(real(c, "coordinates") for c in row) for row in exact_points(points))
     entries = as_list(weights)
     if entries is None:
         raise BadType("weights as a list", shown(weights), "Give one for every point: [1, 2, 1].")
-    numbers = tuple(by_name(exact(weight)) for weight in entries)
+    numbers = tuple(real(weight, "weights") for weight in entries)
     if len(numbers) != len(rows):
         raise BadValue(
             f"{len(rows)} weights, one for every control point",

@@ -12,6 +12,7 @@ from ..curves.de_casteljau import de_casteljau, subdivide
 from ..curves.degree import elevate_degree
 from ..errors import BadValue, shown
 from ..exact import Point, by_name, exact, exact_points
+from ..real_numbers import real
 from ..signs import sign
 from .homogeneous import (
     RationalLevels,
@@ -195,7 +196,7 @@ class RationalBezier:
         >>> arc.reparametrized(sp.sqrt(2)/2).weights
         (1, sqrt(2)/2, 1)
         """
-        factor = _read(c)
+        factor = real(c, "factor")
         if sign(factor) == 0:
             raise BadValue("a factor other than zero", "0", "c = 1 leaves the curve as it is.")
         weights = [factor**i * w for i, w in enumerate(self.weights)]

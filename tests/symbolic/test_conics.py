@@ -124,6 +124,8 @@ REFUSED = [
     (lambda: conic_through([0, 0], [1, 1], [2, 0], [1, 0]), "inside it"),
     (lambda: conic_type([[0, 0], [sp.sqrt(2), sp.sqrt(3)], [sp.sqrt(5), sp.sqrt(7)]], [1, 1, 1]),
      "fewer different roots"),
+    (lambda: conic_type([[1, 0], [1, 1], [0, 1]], [1, sp.I, 1]), "real weights"),
+    (lambda: conic_type([[1, 0], [1, sp.I], [0, 1]], [1, 1, 2]), "real coordinates"),
 ]  # fmt: skip
 
 

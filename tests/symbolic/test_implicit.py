@@ -167,6 +167,8 @@ REFUSED = [
     (lambda: implicitize([t, t**2], x, x), BadValue, "two symbols"),
     (lambda: implicitize([t, t**2], "x", y), BadType, "two symbols"),
     (lambda: implicitize(5), BadType, "list of coordinates"),
+    (lambda: implicitize(circle()), BadType, "one for every span"),
+    (lambda: implicitize([sp.I * t, t**2]), BadValue, "real coordinates"),
     (lambda: implicitize([t, t**2 * sum(map(sp.sqrt, (2, 3, 5, 7)))]), BadValue, "fewer"),
     (lambda: implicitize([t, t**2]).inversion([1, 2, 3]), BadValue, "in the plane"),
     (lambda: implicitize([t, t**2]).inversion([a, a**2]), BadValue, "without symbols"),

@@ -369,6 +369,11 @@ BAD = {
     "t in a weight": ([[0], [1]], [1, sp.Symbol("t", positive=True)], BadValue, "parameter t"),
     "no list": ([[0, 0], [1, 1]], 1, BadType, "weights as a list"),
     "a function": ([[0, 0], [1, 1]], [1, sp.cos(a)], BadValue, "symbol in its place"),
+    "a complex point": ([[sp.I, 0], [1, 1]], [1, 1], BadValue, "real coordinates"),
+    "a complex weight": ([[0], [1]], [1, sp.root(-1, 3)], BadValue, "real weights"),
+    "an imaginary symbol": (
+        [[0], [1]], [1, sp.Symbol("w", imaginary=True)], BadValue, "declared not to be"),
+    "a symbol for zero": ([[0], [1]], [1, sp.Symbol("w", zero=True)], BadValue, "Write 0"),
 }  # fmt: skip
 
 
@@ -401,6 +406,13 @@ REFUSED = [
     (lambda: arc_between([1, 0], [1, 0]), BadValue, "neither the same"),
     (lambda: circle(segments=5), BadValue, "3, 4, 6 or 12"),
     (lambda: circle(radius=0), BadValue, "positive radius"),
+    (lambda: circle(radius=sp.I), BadValue, "real radius"),
+    (lambda: QUARTER.reparametrized(sp.I), BadValue, "real factor"),
+    (lambda: arc_between([1, sp.I], [sp.I, 1]), BadValue, "real coordinates"),
+    (lambda: on_circle(circle()), BadType, "to_bezier"),
+    (lambda: on_circle([[0, 0], [1, 1]]), BadType, "a RationalBezier"),
+    (lambda: on_circle(QUARTER, [t, 0]), BadValue, "parameter t"),
+    (lambda: on_circle(QUARTER, radius=t), BadValue, "parameter t"),
     (lambda: on_circle(RationalBezier([[0], [1]], [1, 1])), BadValue, "plane"),
     (lambda: rational_to_bezier([1 / t, t]), BadValue, "ends at infinity"),
     (lambda: rational_to_bezier([1, 2]), BadValue, "one point"),
