@@ -70,6 +70,11 @@ def _box(
     return box
 
 
+def can_enclose(function: type) -> bool:
+    """Tell whether values of this function can be enclosed, where it has some."""
+    return function in _OPERATIONS
+
+
 class _Unknown(Exception):
     """A node without a known finite real value."""
 
@@ -128,4 +133,7 @@ _OPERATIONS: dict[type, Callable[..., Interval]] = {
     sp.sinh: lambda c, x: (c.exp(x) - c.exp(-x)) / 2,
     sp.cosh: lambda c, x: (c.exp(x) + c.exp(-x)) / 2,
     sp.tanh: lambda c, x: (c.exp(x) - c.exp(-x)) / (c.exp(x) + c.exp(-x)),
+    sp.coth: lambda c, x: _quotient(c, c.exp(x) + c.exp(-x), c.exp(x) - c.exp(-x)),
+    sp.sech: lambda c, x: 2 / (c.exp(x) + c.exp(-x)),
+    sp.csch: lambda c, x: _quotient(c, c.mpf(2), c.exp(x) - c.exp(-x)),
 }

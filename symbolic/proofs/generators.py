@@ -73,6 +73,8 @@ class Generators:
             self._trouble[node] = f"{node} is not a commutative expression"
         elif node in (sp.nan, sp.zoo, sp.oo, -sp.oo) or (node.is_Pow and node.base == 0):
             self._trouble[node] = "one side is undefined or infinite"
+        elif isinstance(node, sp.AccumBounds | sp.Order):
+            self._trouble[node] = f"{node} is not one number"
         elif isinstance(node, sp.cos | sp.sin):
             (angle,) = node.args
             symbol = _symbol_of(angle)

@@ -53,6 +53,7 @@ class NormalForms:
         self._positions_of_bases: dict[Any, int] = {}
         self._bind_known_roots()
         self._values: dict[int, Any] = {}
+        self._divisors_at_points: dict[int, list[Any]] = {}  # of substitutions
         for node in self._nodes:
             try:
                 self._values[id(node)] = plain(self._element(node))
@@ -65,7 +66,7 @@ class NormalForms:
 
     def element(self, place: int) -> Any:
         """Return the normal form of the expression at this place."""
-        return self._known(self._roots[place])
+        return reduced(self._known(self._roots[place]), self._relations)
 
     def difference(self, left: Any, right: Any) -> Any:
         """Return left - right, reduced: zero if they are equal."""
@@ -75,10 +76,7 @@ class NormalForms:
         """Return everything by which is divided in the expressions at these places."""
         if not self._divides:
             return []
-        nodes = postorder([self._roots[place] for place in places], _operands)
-        return [
-            self._known(node.base) for node in nodes if _divides(node)
-        ]  # fmt: skip
+        return self._divisors([self._roots[place] for place in places])
 
     def leaves(self, *places: int) -> set[int]:
         """Return the positions of all generators from which these expressions are built."""
@@ -90,6 +88,15 @@ class NormalForms:
                 found |= {self.generators.roots_of_primes[p][1] for p in prime_roots(node)[1]}
             elif not (node.is_Rational or _operands(node)):
                 found.add(self.generators.of(node))
+        return found
+
+    def _divisors(self, roots: Iterable[sp.Basic]) -> list[Any]:
+        """Return all divisors, reduced; those inside a substitution at the point put in."""
+        found = []
+        for node in postorder(roots, _outside_of_substitutions):
+            if _divides(node):
+                found.append(reduced(self._known(node.base), self._relations))
+            found += self._divisors_at_points.get(id(node), [])
         return found
 
     def _bind_known_roots(self) -> None:
@@ -185,16 +192,14 @@ class NormalForms:
             for variable, point in zip(node.variables, points, strict=True)
             if variable in self.generators.position
         }
-        for below in postorder([node.expr], _operands):
-            if _divides(below):
-                self._at(self._known(below.base), at, must_not_vanish=True)
+        divisors = [self._at(divisor, at) for divisor in self._divisors([node.expr])]
+        if not all(divisors):
+            raise NoNormalForm("a side is not defined where something is substituted")
+        self._divisors_at_points[id(node)] = divisors
         return self._at(element, at)
 
-    def _at(self, element: Any, at: Mapping[int, Any], must_not_vanish: bool = False) -> Any:
-        value = reduced(composed(element, at), self._relations)
-        if must_not_vanish and not value:
-            raise NoNormalForm("a side is not defined where something is substituted")
-        return value
+    def _at(self, element: Any, at: Mapping[int, Any]) -> Any:
+        return reduced(composed(element, at), self._relations)
 
 
 class _NeedsRadical(Exception):
@@ -208,6 +213,10 @@ def _operands(node: sp.Basic) -> tuple[sp.Basic, ...]:
     if is_operator(node):
         return (node.expr, *node.point) if isinstance(node, sp.Subs) else (node.expr,)
     return operands(node)
+
+
+def _outside_of_substitutions(node: sp.Basic) -> tuple[sp.Basic, ...]:
+    return tuple(node.point) if isinstance(node, sp.Subs) else _operands(node)
 
 
 def _divides(node: sp.Basic) -> bool:

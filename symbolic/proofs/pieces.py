@@ -186,6 +186,8 @@ def _resolved(
     """Return a side with all these nodes replaced by their values; None if it is undefined."""
 
     def arguments(node: sp.Basic) -> tuple[sp.Basic, ...]:
+        if isinstance(node, _WITH_BOUND_SYMBOLS):
+            return ()
         if node not in nodes:
             return node.args
         chosen = _chosen(node, sign_of)
@@ -201,6 +203,9 @@ def _resolved(
             new[id(node)] = None if chosen is None else sp.Mul(chosen[0], *below)
         elif at is not None and node == at[0]:
             new[id(node)] = at[1]
+        elif isinstance(node, _WITH_BOUND_SYMBOLS):
+            is_free = at is not None and at[0] in node.free_symbols
+            new[id(node)] = sp.Subs(node, at[0], at[1]) if at and is_free else node
         else:
             same = all(a is b for a, b in zip(below, node.args, strict=True))
             value = node if same else node.func(*below)
@@ -208,6 +213,7 @@ def _resolved(
     return new[id(side)]
 
 
+_WITH_BOUND_SYMBOLS = (sp.Derivative, sp.Subs, sp.Limit)  # left where functions are not known
 _UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 

@@ -10,6 +10,7 @@ from typing import Any
 import sympy as sp
 
 from ..errors import BadType
+from .assumptions import as_declared
 from .comparison import compared
 from .generators import NoNormalForm
 from .normal_form import NormalForms
@@ -17,16 +18,19 @@ from .pieces import compared_in_pieces
 from .side import Side, evaluated, has_corners, read_side
 from .verdict import Proved, Refuted, Undecided, Verdict
 
+_TOO_DEEP = Undecided("an expression is nested too deeply")
+
 
 def prove(left: Any, right: Any) -> Verdict:
     """Decide whether two expressions, matrices or lists of expressions are equal.
 
     Both sides are brought to a normal form in one polynomial ring or fraction field, in which
     roots and the sines and cosines of base angles obey their relations. Symbols are matched by
-    name; quotients are compared wherever both sides are defined. The variable of piecewise
-    expressions (also Abs, Max, Min) is real: they are compared on every interval between break
-    points and at each of these. An equality is never concluded from samples; what algebra cannot
-    decide, such as exp(t) = t, is refuted by enclosing both sides in intervals at a few points.
+    name (witnesses respect what was declared about them); quotients are compared wherever both
+    sides are defined. The variable of piecewise expressions (also Abs, Max, Min) is real: they are
+    compared on every interval between break points and at each of these. An equality is never
+    concluded from samples; what algebra cannot decide, such as exp(t) = t, is refuted by enclosing
+    both sides in intervals at a few points.
 
     Parameters
     ----------
@@ -92,18 +96,24 @@ def _verdicts(left: Sequence[sp.Expr], right: Sequence[sp.Expr]) -> Iterator[Ver
         except NoNormalForm as reason:
             pairs.append(Undecided(str(reason)))
         except RecursionError:  # SymPy's own traversals
-            pairs.append(Undecided("an expression is nested too deeply"))
+            pairs.append(_TOO_DEEP)
     smooth = [pair for pair in pairs if isinstance(pair, tuple) and not has_corners(pair)]
-    forms = NormalForms([side for pair in smooth for side in pair])
+    try:
+        forms = NormalForms([side for pair in smooth for side in pair])
+    except RecursionError:
+        yield from [_TOO_DEEP] * len(pairs)
+        return
     place = 0
-    for pair in pairs:
+    for given, pair in zip(zip(left, right, strict=True), pairs, strict=True):
+        verdict: Verdict
         if isinstance(pair, Undecided):
-            yield pair
+            verdict = pair
         elif has_corners(pair):
-            yield _in_pieces(pair)
+            verdict = _in_pieces(pair)
         else:
-            yield compared(forms, (place, place + 1), pair, {})
+            verdict = compared(forms, (place, place + 1), pair, {})
             place += 2
+        yield as_declared(verdict, given, _in_pieces) if isinstance(verdict, Refuted) else verdict
 
 
 def _in_pieces(pair: tuple[sp.Expr, sp.Expr]) -> Verdict:
@@ -112,7 +122,7 @@ def _in_pieces(pair: tuple[sp.Expr, sp.Expr]) -> Verdict:
     except NoNormalForm as reason:
         return Undecided(str(reason))
     except RecursionError:
-        return Undecided("an expression is nested too deeply")
+        return _TOO_DEEP
 
 
 def _place_in_words(place: tuple[int, ...]) -> str:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
+from math import comb, prod
 from typing import Any
 
 import sympy as sp
@@ -20,7 +21,8 @@ from .generators import NoNormalForm
 
 CORNERED = (sp.Piecewise, sp.Max, sp.Min, sp.Abs, sp.sign, sp.Heaviside)
 _DEEPEST_LIST = 8
-_MOST_TERMS = 1000  # of a sum written out
+_MOST_TERMS = 1000  # of a sum or integral written out
+_HIGHEST_DERIVATIVE = 10  # of functions: what the product rule makes of them doubles every time
 
 
 @dataclass(frozen=True)
@@ -89,8 +91,9 @@ def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
     Raises
     ------
     NoNormalForm
-        Where carrying them out could take forever: long sums, integrals of no polynomial. And for
-        a symbol declared to be zero, since a witness would give it another value.
+        Where carrying them out could take forever: long sums, integrals of no polynomial. Where it
+        is not certain what is meant: integrals without limits, known only up to a constant. And
+        for a symbol declared to be zero, since a witness would give it another value.
 
     Examples
     --------
@@ -104,7 +107,12 @@ def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
     if zeros:
         raise NoNormalForm(f"{zeros[0]} is declared to be zero: write 0")
     if any(symbol != sp.Symbol(symbol.name) for symbol in symbols):
-        expression = by_name(expression)
+        try:
+            expression = by_name(expression)
+        except (TypeError, ValueError):  # such as Idx, an index that has to be an integer
+            raise NoNormalForm(
+                f"{shown(expression, 60)} is nothing without what is assumed about its symbols"
+            ) from None
         nodes = list(postorder([expression]))
     pending = [node for node in nodes if isinstance(node, tuple(_LIMITS))]
     if not pending or (keep_operators and all(map(is_operator, pending))):
@@ -112,9 +120,13 @@ def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
     for node in pending:
         if isinstance(node, sp.Derivative) and has_corners([node.expr]):
             raise NoNormalForm("a derivative at break points is not understood")  # nor by SymPy
+        if isinstance(node, sp.Integral) and any(len(limits) == 1 for limits in node.limits):
+            raise NoNormalForm(f"{shown(node, 60)} is known only up to a constant")
         for kind, is_short in _LIMITS.items():
             if isinstance(node, kind) and not is_short(node):
-                raise NoNormalForm(f"{shown(node, 60)} is too long to be carried out")
+                raise NoNormalForm(
+                    f"{shown(node, 60)} is too long to be carried out, or not understood"
+                )
     result = expression.doit()
     try:
         return exact(result)
@@ -131,7 +143,7 @@ def is_operator(node: sp.Basic) -> bool:
     """Tell whether a node is a derivative or substitution in a rational function of symbols."""
     if isinstance(node, sp.Derivative):
         inside, variables = [node.expr], node.variables
-        if not _is_low_derivative(node):
+        if not _is_low_derivative(node, HIGHEST_POWER):
             return False
     elif isinstance(node, sp.Subs):
         inside, variables = [node.expr, *node.point], node.variables
@@ -152,15 +164,34 @@ def _inside(node: sp.Basic) -> tuple[sp.Basic, ...]:
 
 def _is_short_sum(node: sp.Sum | sp.Product) -> bool:
     lengths = [limit[2] - limit[1] if len(limit) == 3 else sp.oo for limit in node.limits]
-    return all(n.is_Integer and n <= _MOST_TERMS for n in lengths) and len(lengths) == 1
+    # Sums that run backwards are subtracted by some (SymPy), empty for others.
+    return all(n.is_Integer and -1 <= n <= _MOST_TERMS for n in lengths) and len(lengths) == 1
 
 
-def _is_low_derivative(node: sp.Derivative) -> bool:
-    return all(order.is_Integer and order <= HIGHEST_POWER for _, order in node.variable_count)
+def _is_low_derivative(node: sp.Derivative, highest: int = _HIGHEST_DERIVATIVE) -> bool:
+    orders = [order for _, order in node.variable_count]
+    return all(order.is_Integer for order in orders) and sum(orders) <= highest
 
 
 def _is_polynomial_integral(node: sp.Integral) -> bool:
-    return bool(node.function.is_polynomial(*node.variables)) and len(node.limits) == 1
+    if len(node.limits) != 1 or not node.function.is_polynomial(*node.variables):
+        return False
+    return _most_terms(node.function) <= _MOST_TERMS
+
+
+def _most_terms(expression: sp.Expr) -> int:
+    """Return a bound for the number of terms that an expression has when it is multiplied out."""
+    terms: dict[int, int] = {}
+    for node in postorder([expression], operands):
+        below = [terms[id(operand)] for operand in operands(node)]
+        if node.is_Mul:
+            terms[id(node)] = min(prod(below), _MOST_TERMS + 1)
+        elif node.is_Pow and below:
+            size, power = below[0], min(abs(int(node.exp)), _MOST_TERMS)
+            terms[id(node)] = min(comb(size + power - 1, power), _MOST_TERMS + 1)
+        else:
+            terms[id(node)] = min(sum(below), _MOST_TERMS + 1) if below else 1
+    return terms[id(expression)]
 
 
 _LIMITS: dict[type, Callable[[Any], bool]] = {

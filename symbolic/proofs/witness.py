@@ -12,9 +12,10 @@ from itertools import count, islice
 from typing import Any
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 
 from ..dag import postorder, substitute
-from ..intervals import differ, enclosure
+from ..intervals import can_enclose, differ, enclosure
 from .cells import Cell
 from .elements import composed, parts, used, value_of
 from .generators import Generators
@@ -24,7 +25,10 @@ Windows = Mapping[sp.Symbol, Cell]
 """Open intervals to which some symbols are confined."""
 
 _POINTS = 6  # at which sides are enclosed
-_WITH_POLES = (sp.log, sp.tan, sp.cot, sp.sec, sp.csc)
+_DEFINED_EVERYWHERE = (
+    sp.sin, sp.cos, sp.exp, sp.sinh, sp.cosh, sp.erf, sp.erfc, sp.floor, sp.ceiling, sp.re, sp.im,
+    sp.conjugate, sp.Abs, sp.sign, sp.Heaviside, sp.Max, sp.Min, sp.Piecewise, AppliedUndef,
+)  # fmt: skip
 
 
 def algebraic_witness(
@@ -77,20 +81,34 @@ def enclosed_witness(left: sp.Expr, right: sp.Expr, windows: Windows) -> Refuted
 
 
 def is_somewhere_defined(expressions: Sequence[sp.Expr], windows: Windows) -> bool:
-    """Tell whether at one point certainly no divisor vanishes and every logarithm exists.
+    """Tell whether at one point certainly no divisor vanishes and every function has a value.
 
     Only small positive numbers are tried, where sqrt(x**2) is what everybody takes it for.
     """
     nodes = list(postorder(expressions))
     divisors = [n.base for n in nodes if n.is_Pow and not n.exp.is_nonnegative]
-    with_poles = [n for n in nodes if isinstance(n, _WITH_POLES)]
+    functions = [
+        n for n in nodes if isinstance(n, sp.Function) and not isinstance(n, _DEFINED_EVERYWHERE)
+    ]
     for values in _points(free_symbols(expressions), windows, with_negative=False):
         boxes = [enclosure(divisor, values) for divisor in divisors]
         if all(box is not None and 0 not in box for box in boxes) and all(
-            enclosure(node, values) is not None for node in with_poles
+            _has_value(function, values) for function in functions
         ):
             return True
     return False
+
+
+def _has_value(function: sp.Expr, values: Mapping[sp.Symbol, sp.Rational]) -> bool:
+    if can_enclose(function.func):
+        return enclosure(function, values) is not None
+    # The poles of gamma, zeta, Ei, LambertW, atanh ... on the real line are whole numbers.
+    boxes = [enclosure(argument, values) for argument in function.args]
+    return all(box is not None and not _holds_whole_number(box) for box in boxes)
+
+
+def _holds_whole_number(box: Any) -> bool:
+    return 0 in box or int(box.a) in box or int(box.a) != int(box.b)
 
 
 def free_symbols(expressions: Sequence[sp.Expr]) -> list[sp.Symbol]:

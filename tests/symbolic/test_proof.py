@@ -185,9 +185,22 @@ def test_symbols_are_matched_by_name_inside_derivatives_and_sums_too():
     (sp.Integral(sp.exp(sin(x)) / x, x), 0),
     (sp.Mul(*(1 + v for v in sp.symbols("v:24"))), 0),
     ((1 / (x + 1)) ** 512 + (1 / (x + 2)) ** 512, x),
+    (sp.Sum(sin(x), (x, 10**9, 1)), 0),
+    (sp.Product(sin(x), (x, 10**9, 1)), 0),
+    (sp.Derivative(sp.exp(sin(t)), (t, 512)), 0),
+    (sp.Derivative(sin(t) ** 50 * sp.exp(t**2) / t, (t, 20)), 0),
+    (sp.Integral((1 + x) ** 1000 * (2 + x) ** 1000, (x, 0, 1)), 0),
+    (sp.Integral(sp.Mul(*(x + v for v in sp.symbols("v:24"))), (x, 0, 1)), 0),
 ])  # fmt: skip
 def test_what_would_take_forever_is_undecided(left, right):
     assert isinstance(prove(left, right), Undecided)
+
+
+def test_what_is_nested_too_deeply_is_undecided():
+    deep = t
+    for _ in range(1000):
+        deep = sp.Pow(sp.Add(1, deep, evaluate=False), sp.S.Half, evaluate=False)
+    assert "nested too deeply" in str(prove(deep, t))
 
 
 def test_a_symbol_declared_to_be_zero_is_not_given_another_value():

@@ -269,3 +269,62 @@ def test_answers_are_checked_by_the_same_verdicts():
     assert "at t = 2 your answer gives 2" in check(t, hat).diagnosis.lower()
     assert check(-exp(t), exp(t)).diagnosis == "The sign is reversed."
     assert "could not be decided" in check(log(2 * t), log(2) + log(t)).diagnosis
+
+
+f = sp.Function("f")
+ZERO = 1 / (1 + sqrt(2)) - (sqrt(2) - 1)  # that only multiplying out sees
+NULL = sin(t) ** 2 + cos(t) ** 2 - 1
+n, positive = Symbol("n", integer=True), Symbol("p", positive=True)
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    # a function has no value where its argument is a pole
+    *((function(NULL + pole), function(NULL + pole)) for function, pole in (
+        (sp.coth, 0), (sp.csch, 0), (sp.gamma, -1), (sp.factorial, -1), (sp.zeta, 1), (sp.atanh, 1),
+        (sp.Ei, 0), (log, 0), (cot, 0), (sp.arg, 0))),
+    # neither a number nor a function
+    (sp.sin(sp.oo), sp.sin(sp.oo)),
+    (sp.O(t), sp.O(t)),
+    (sp.Symbol("A", commutative=False) * sp.Symbol("B", commutative=False),
+     sp.Symbol("B", commutative=False) * sp.Symbol("A", commutative=False)),
+    (sp.IndexedBase("x")[sp.Idx("i")] * 2, 0),
+    # what is meant is not certain
+    (sp.Integral((1 + t) ** 2, t), (1 + t) ** 3 / 3),
+    (sp.Sum(t, (t, 5, 1)), 0),
+    # true for what was declared
+    (sin(n * pi / 2) * cos(n * pi / 2), 0),
+    (sp.Mul((-1) ** n, (-1) ** n, evaluate=False), 1),
+])  # fmt: skip
+def test_undecided_rather_than_vacuous_or_ambiguous(left, right):
+    assert isinstance(prove(left, right), Undecided)
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    (sp.gamma(t) + sp.gamma(t), 2 * sp.gamma(t)),
+    (sp.sech(t) * sp.cosh(t) * sp.coth(t) / sp.cosh(t), sp.sech(t) * sp.coth(t)),
+    (Abs(t) * Derivative(f(t), t), Max(t, -t) * Derivative(f(t), t)),
+    (Abs(t) * Subs(Derivative(f(t), t), t, 2), Max(t, -t) * Subs(Derivative(f(x), x), x, 2)),
+])  # fmt: skip
+def test_functions_that_are_not_known_are_generators(left, right):
+    assert isinstance(prove(left, right), Proved)
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    (sp.expand(ZERO + t) / (ZERO + t), 2),
+    (t * Subs(1 / x, x, t), 2),
+    (Subs(x / x**2, x, sin(t)) * sin(t), 2),
+    (positive * (positive - 1), 0),
+    (n * (n - 1) * (n - 2), 0),
+    (Symbol("q", nonnegative=True) ** 2, Symbol("q", nonnegative=True)),
+    (Symbol("z", imaginary=True) ** 2, 1),
+    (Abs(Symbol("n", integer=True) - Rational(3, 2)), Symbol("n", integer=True)),
+])  # fmt: skip
+def test_both_sides_are_defined_at_a_witness_which_may_be_a_value(left, right):
+    verdict = prove(left, right)
+    assert isinstance(verdict, Refuted)
+    for side, value in ((left, verdict.left), (right, verdict.right)):
+        given = {s: verdict.witness.get(Symbol(s.name), s) for s in sp.sympify(side).free_symbols}
+        for symbol, number in given.items():
+            assert all(getattr(number, f"is_{k}") == v for k, v in symbol.assumptions0.items())
+        there = sp.sympify(side).subs(given).doit()
+        assert sp.radsimp(there - value) == 0
