@@ -14,6 +14,7 @@ from symbolic import (
     Derivation,
     RationalBezier,
     arc,
+    basis_from,
     bezier,
     bezier_algorithms,
     bezier_properties,
@@ -24,6 +25,7 @@ from symbolic import (
     closed_derivation,
     conic_type,
     continuity_at,
+    derivative,
     geometric_continuity,
     hermite,
     implicitize,
@@ -38,10 +40,13 @@ from symbolic import (
     parametric_continuity,
     phantom_derivation,
     rational_properties,
+    restrict,
     runge_phenomenon,
     uniform_bspline,
+    value,
 )
 
+t, a, b, r, b1, b2 = sp.symbols("t a b r b1 b2")
 DERIVATIONS: list[tuple[str, Callable[[], Derivation]]] = [
     ("Bezier 3", lambda: bezier(3).derivation),
     ("Hermite 3", lambda: hermite(3).derivation),
@@ -51,13 +56,14 @@ DERIVATIONS: list[tuple[str, Callable[[], Derivation]]] = [
     ("Lagrange over symbols", lambda: lagrange([0, sp.Symbol("a"), 1]).derivation),
     ("Uniform B-spline", lambda: uniform_bspline(3).derivation),
     ("Catmull-Rom", lambda: catmull_rom().derivation),
+    ("Catmull-Rom over symbolic knots", lambda: catmull_rom([-a, 0, 1, 1 + b]).derivation),
     ("Catmull-Rom over chordal knots", lambda: catmull_rom(CHORDAL).derivation),
     ("Cardinal spline", lambda: cardinal(sp.Symbol("T")).derivation),
+    ("Values and a slope", lambda: basis_from([value(0), derivative(0), value(2)]).derivation),
     ("Kochanek-Bartels", lambda: kochanek_bartels(*sp.symbols("T C B")).derivation),
 ]
 CHORDAL = chord_knots([[0, 0], [1, 2], [3, 1], [4, 7]], 1)
 
-t = sp.Symbol("t")
 DERIVATIONS += [
     (f"Bezier curve: {name}", lambda name=name: bezier_properties(3)[name])
     for name in bezier_properties(3)
@@ -75,9 +81,11 @@ DERIVATIONS += [
     for ends in ("natural", "clamped", "periodic", "not-a-knot")
 ]
 DERIVATIONS += [
-    ("Least acceleration", lambda: minimum_acceleration(interpolating_spline([[0], [1], [0]]))),
+    *((f"Least acceleration with {ends} ends",
+       lambda ends=ends: minimum_acceleration(cubic_spline(ends)))
+      for ends in ("natural", "clamped", "periodic")),
     ("Runge's function", lambda: runge_phenomenon(3)),
-]
+]  # fmt: skip
 
 
 def cubic_spline(ends):
@@ -86,13 +94,16 @@ def cubic_spline(ends):
     return interpolating_spline([[0], [1], [3], [0]], [0, 1, 3, 4], ends, tangents)
 
 
-r, b1, b2 = sp.symbols("r b1 b2")
 CUBIC = [[0, 0], [1, 3], [3, 3], [4, 2]]
 JOINTS = {
     "a gap": [[5, 2], [6, 2]],
     "a corner": [[4, 2], [5, 2], [6, 0]],
     "a fold": [[4, 2], [3, 3], [3, 0]],
     "in line": [[4, 2], [6, 0], [7, 0]],
+    "the same curve": restrict(CUBIC, 1, 2),
+    "a symbol": [[4, 2], [4 + r, 2 - r], [7, 0]],
+    "a rational curve": (4 + t / (1 + t), 2 - t),
+    "a cusp": (4 - t**2, 2 + t**3),
 }
 DERIVATIONS += [
     *((f"Joints: {name}", lambda name=name: joint_properties(2)[name])
@@ -103,7 +114,6 @@ DERIVATIONS += [
     ("G^2 joint", lambda: geometric_continuity(3, 2, (b1, b2)).derivation),
 ]  # fmt: skip
 
-a, b = sp.symbols("a b")
 QUADRATIC = BSpline([0, 0, 0, 1, 1, 3, 4, 4, 4], 2)
 DERIVATIONS += [
     ("B-splines with a double knot", lambda: QUADRATIC.derivation),
@@ -121,11 +131,18 @@ DERIVATIONS += [
 ]  # fmt: skip
 
 QUARTER = [[1, 0], [1, 1], [0, 1]]
+CONICS = [
+    ("A parabola", QUARTER, [1, 1, 1]),
+    ("An ellipse", [[2, 0], [2, 1], [0, 1]], [1, 1, 2]),
+    ("A point", [[1, 2], [1, 2], [1, 2]], [1, 1, 2]),
+]
 DERIVATIONS += [
     *((f"Rational curves: {name}", lambda name=name: rational_properties(2)[name])
       for name in rational_properties(2)),
     ("A quarter of a circle", lambda: on_circle(arc(0))),
     ("A circle from weights", lambda: conic_type(QUARTER, [1, 1, 2]).derivation),
+    *((f"{name} from weights", lambda points=points, weights=weights:
+       conic_type(points, weights).derivation) for name, points, weights in CONICS),
     ("A hyperbola from weights", lambda: conic_type(QUARTER, [1, 3, 2]).derivation),
     ("A line from weights", lambda: conic_type([[0, 0], [1, 1], [3, 3]], [1, 2, 3]).derivation),
     ("A NURBS curve", lambda: NURBS([0, 0, 0, 1, 2, 2, 2], 2, [*QUARTER, [3, 1]],

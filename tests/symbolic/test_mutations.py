@@ -1,13 +1,17 @@
 """Every step of every derivation holds, and whatever is changed in it is refuted."""
 
+import ast
 import random
+import sys
 from dataclasses import replace
+from pathlib import Path
 
 import pytest
 import sympy as sp
 from sympy import Rational
 
-from symbolic import Refuted
+import symbolic
+from symbolic import Derivation, Refuted
 from symbolic.dag import substitute
 from symbolic.proofs.linear_text import linear_text
 from symbolic.proofs.proof import prove_sides
@@ -78,3 +82,27 @@ def is_nonzero_somewhere(term, chance):
         if value.is_number and value.is_finite and abs(value.evalf(30)) > Rational(1, 10**9):
             return True
     return False
+
+
+def test_every_module_that_makes_derivations_is_on_the_register(monkeypatch):
+    makers, make = set(), Derivation.__init__
+
+    def told(self, *arguments, **named):
+        makers.add(sys._getframe(1).f_globals["__name__"])
+        make(self, *arguments, **named)
+
+    monkeypatch.setattr(Derivation, "__init__", told)
+    for name, module in list(sys.modules.items()):
+        if name.startswith("symbolic."):  # what is remembered would not be made again
+            for value in vars(module).values():
+                getattr(value, "cache_clear", lambda: None)()
+    for _, build in DERIVATIONS:
+        build()
+    root = Path(symbolic.__file__).parent
+    expected = {
+        ".".join(path.relative_to(root.parent).with_suffix("").parts)
+        for path in root.rglob("*.py")
+        if any(isinstance(node, ast.Call) and getattr(node.func, "id", "") == "Derivation"
+               for node in ast.walk(ast.parse(path.read_text("utf-8"))))
+    }  # fmt: skip
+    assert makers == expected
