@@ -352,3 +352,19 @@ def test_twenty_knots_of_degree_three_are_one_polynomial_per_span():
         for i in (1, 15)
         for a, b in zip(functions[0], functions[i], strict=True)
     )
+
+
+@few
+@given(st.data())
+def test_segments_have_the_coefficients_of_scipys_piecewise_polynomials(data):
+    knots = data.draw(knot_vectors(lowest=1))
+    points = points_for(knots, data.draw)
+    spline = BSpline(knots)
+    oracle = interpolate.PPoly.from_spline(
+        interpolate.BSpline(np.array(knots.knots, float), np.array(points, float)[:, 0],
+                            knots.degree))  # fmt: skip
+    for segment in spline.curve(points):
+        local = sp.Poly(segment.coordinates[0].subs(t, t + segment.start), t)
+        ours = [local.coeff_monomial(t**k) for k in range(knots.degree, -1, -1)]
+        span = int(np.flatnonzero(np.isclose(oracle.x, float(segment.start)))[-1])
+        assert np.array(ours, float) == pytest.approx(oracle.c[:, span], rel=1e-9, abs=1e-9)
