@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from itertools import combinations
 from typing import Any
 
 from sympy.polys.matrices import DomainMatrix
@@ -45,6 +46,30 @@ def bezout_matrix(forms: Sequence[Sequence[Any]], entry: Callable[[Triple], Any]
 
 
 def determinant(rows: Sequence[Sequence[Any]], ring: Any) -> Any:
-    """Return the determinant of a square matrix over a polynomial ring (Bareiss)."""
+    """Return the determinant of a square matrix over a polynomial ring.
+
+    Bareiss' algorithm divides, which is slow where coefficients have symbols; there the minors of
+    the last 1, 2, ... rows are computed, each once.
+    """
     size = len(rows)
+    if ring.domain.is_PolynomialRing:
+        minors: dict[tuple[int, ...], Any] = {(): ring.one}
+        for k in range(1, size + 1):
+            minors = {
+                columns: _expanded(rows[size - k], columns, minors, ring)
+                for columns in combinations(range(size), k)
+            }
+        return minors[tuple(range(size))]
     return DomainMatrix([list(row) for row in rows], (size, size), ring.to_domain()).det()
+
+
+def _expanded(
+    row: Sequence[Any], columns: tuple[int, ...], minors: Mapping[tuple[int, ...], Any], ring: Any
+) -> Any:
+    """Expand a determinant along its first row, given the minors below it."""
+    total = ring.zero
+    for k, column in enumerate(columns):
+        if row[column]:
+            term = row[column] * minors[columns[:k] + columns[k + 1 :]]
+            total = total - term if k % 2 else total + term
+    return total

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from functools import reduce
 from typing import Any
 
 import sympy as sp
 from sympy.polys.densearith import dup_exquo
+from sympy.polys.densebasic import dup_strip
 from sympy.polys.domains.domain import Domain
 from sympy.polys.euclidtools import dup_gcd
 
@@ -47,12 +48,42 @@ def over_one_denominator(
         field, found = polynomials((*numerators, denominator), PARAMETER)
     else:
         field, found = _of_expressions(_read(curve), parameter)
-    common: Coefficients = []
-    for p in sorted(found, key=len):  # the shortest ones first: often there is nothing in common
-        common = dup_gcd(common, p, field)
-        if len(common) == 1:
-            break
+    if _have_nothing_in_common(found, field):
+        return field, found
+    common = reduce(lambda a, b: dup_gcd(a, b, field), found)
     return field, [dup_exquo(p, common, field) if p else [] for p in found]
+
+
+def _have_nothing_in_common(forms: list[Coefficients], field: Domain) -> bool:
+    """Prove it with numbers for the symbols, where no root at infinity is in common either."""
+    return any(
+        len(reduce(lambda a, b: dup_gcd(a, b, numbers), some)) == 1
+        and max(map(len, some)) == max(map(len, forms))
+        for numbers, some in with_numbers(forms, field)
+    )
+
+
+def with_numbers(
+    forms: list[Coefficients], field: Domain
+) -> Iterator[tuple[Domain, list[Coefficients]]]:
+    """Yield a few examples of polynomials with symbols, small rationals put in their places.
+
+    What is in general is so for all values but exceptional ones; what one example excludes, such as
+    a common factor, is excluded in general. Without symbols the polynomials are their own example.
+    """
+    if not field.is_FractionField:
+        yield field, forms
+        return
+    numbers = field.domain
+    for start in (2, 5, 11):
+        values = [numbers(k**3 + start) / numbers(k + 3) for k in range(len(field.symbols))]
+        try:
+            yield (
+                numbers,
+                [dup_strip([c.numer(*values) / c.denom(*values) for c in p]) for p in forms],
+            )
+        except ZeroDivisionError:
+            continue
 
 
 def rational_to_bezier(curve: Any, t: sp.Symbol = PARAMETER) -> RationalBezier:

@@ -3,7 +3,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from functools import cached_property
+from functools import cached_property, reduce
+from math import comb
 from typing import Any
 
 import sympy as sp
@@ -20,11 +21,13 @@ from ..exact import PARAMETER, exact_points
 from ..polynomials import Coefficients, expression
 from ..proofs.derivation import Derivation
 from .bezout import bezout_matrix, determinant
-from .common_denominator import over_one_denominator
+from .common_denominator import over_one_denominator, with_numbers
 from .homogeneous import decidable_field
 from .implicit_derivation import derive
 
 HIGHEST_DEGREE = 16  # a few seconds
+HIGHEST_DEGREE_WITH_SYMBOLS = 10
+_MOST_POWERS = 2000  # products of n symbols: those of the general quartic, but not of the quintic
 _X, _Y = sp.symbols("x y")
 
 
@@ -112,8 +115,8 @@ def implicitize(curve: Any, x: sp.Symbol = _X, y: sp.Symbol = _Y) -> ImplicitCur
     Raises
     ------
     BadValue
-        For curves not in the plane, a curve that is a point, and symbols x and y that the curve
-        contains.
+        For curves not in the plane, a curve that is a point, symbols x and y that the curve
+        contains, and equations with too many terms.
 
     Notes
     -----
@@ -137,28 +140,41 @@ def implicitize(curve: Any, x: sp.Symbol = _X, y: sp.Symbol = _Y) -> ImplicitCur
     n = max(map(len, forms)) - 1
     if n < 1:
         raise BadValue("a curve", "one point", "Its coordinates should contain t.")
-    if n > HIGHEST_DEGREE:
-        raise BadValue(
-            f"a curve of degree {HIGHEST_DEGREE} or less",
-            f"degree {n}",
-            "Beyond that the equation has hundreds of terms; reduce the degree first.",
-        )
+    _refuse_large(n, domain)
     if {x, y} & {s for p in forms for c in p for s in domain.to_sympy(c).free_symbols}:
         raise BadValue(
             f"a curve without the symbols {x} and {y}",
             "one that contains them",
             "Give implicitize(curve, x, y) other symbols.",
         )
-    ring = PolyRing([x, y], domain, lex)
+    coefficients, whole = _without_denominators(forms, domain)
+    ring = PolyRing([x, y], coefficients, lex)
     gx, gy = ring.gens
-    ascending = [[domain.zero] * (n + 1 - len(p)) + p for p in forms]
+    ascending = [[coefficients.zero] * (n + 1 - len(p)) + p for p in whole]
     rows = bezout_matrix([p[::-1] for p in ascending], lambda e: gx * e[0] + gy * e[1] + e[2])
-    f = determinant(rows, ring)
+    f = determinant(rows, ring).set_ring(ring.clone(domain=domain))
     if not _is_proper(forms, domain):
         f = f.sqf_part()
     degree = max(sum(powers) for powers in f.monoms())
     polynomial = _primitive(f, domain).as_expr(x, y)
     return ImplicitCurve(polynomial, x, y, degree, n // degree, domain, tuple(forms))
+
+
+def _refuse_large(n: int, domain: Domain) -> None:
+    symbols = len(domain.symbols) if domain.is_FractionField else 0
+    highest = HIGHEST_DEGREE_WITH_SYMBOLS if symbols else HIGHEST_DEGREE
+    if n > highest:
+        raise BadValue(
+            f"a curve of degree {highest} or less" + (" where it has symbols" if symbols else ""),
+            f"degree {n}",
+            "Beyond that the equation has hundreds of terms; reduce the degree first.",
+        )
+    if comb(n + symbols, n) > _MOST_POWERS:
+        raise BadValue(
+            f"fewer symbols in a curve of degree {n}",
+            f"{symbols}",
+            "The equation has many thousands of terms; put numbers in the place of symbols.",
+        )
 
 
 def _coordinates(x: Any, y: Any) -> tuple[sp.Symbol, sp.Symbol]:
@@ -168,6 +184,17 @@ def _coordinates(x: Any, y: Any) -> tuple[sp.Symbol, sp.Symbol]:
     if x == y or PARAMETER in (x, y):
         raise BadValue("two symbols other than t", f"{x} and {y}", "Leave them out for x and y.")
     return x, y
+
+
+def _without_denominators(
+    forms: list[Coefficients], domain: Domain
+) -> tuple[Domain, list[Coefficients]]:
+    """Return the same curve's X, Y, W over polynomials in the symbols, if there are some."""
+    if not domain.is_FractionField:
+        return domain, forms
+    ring = domain.get_ring()
+    common = reduce(lambda a, b: a.lcm(b), (c.denom for p in forms for c in p))
+    return ring, [[ring(c.numer * common.exquo(c.denom)) for c in p] for p in forms]
 
 
 def _common_root_form(
@@ -184,15 +211,22 @@ def _is_proper(forms: list[Coefficients], domain: Domain) -> bool:
     """Tell whether some point of the curve has one parameter only; then almost all have.
 
     The number of parameters of a point, counted with infinity and multiplicity, is the tracing
-    number or larger; so one point with one parameter is a proof.
+    number or larger; so one point with one parameter is a proof. With symbols one example is: it
+    has Bezout's determinant, and so a power in it, from the general curve.
     """
-    for s in map(domain, range(2, 8)):
-        x, y, w = (dup_eval(p, s, domain) for p in forms)
-        if w:
-            common, at_infinity = _common_root_form(forms, x / w, y / w, domain)
-            if len(common) - 1 + at_infinity == 1:
+    n = max(map(len, forms)) - 1
+    for numbers, example in with_numbers(forms, domain):
+        for s in map(numbers, range(2, 8)):
+            x, y, w = (dup_eval(p, s, numbers) for p in example)
+            if w and _parameters_of(example, x / w, y / w, n, numbers) == 1:
                 return True
     return False
+
+
+def _parameters_of(forms: list[Coefficients], x: Any, y: Any, n: int, domain: Domain) -> int:
+    """Count the parameters of a point with multiplicity, infinity included, for formal degree n."""
+    common, at_infinity = _common_root_form(forms, x, y, domain)
+    return len(common) - 1 + at_infinity + n + 1 - max(map(len, forms))
 
 
 def _primitive(f: Any, domain: Domain) -> Any:

@@ -156,9 +156,34 @@ def test_other_coordinates():
     assert implicitize([t + x, t**2], u, v).polynomial.free_symbols == {u, v, x}
 
 
+GENERIC = [sp.symbols(f"a{i} b{i}") for i in range(6)]
+
+
+@pytest.mark.parametrize("weights", [[1] * 4, sp.symbols("w0:4")], ids=["polynomial", "rational"])
+def test_the_general_cubic_takes_no_time(weights):
+    curve = RationalBezier(GENERIC[:4], weights)
+    general = implicitize(curve)
+    assert (general.degree, general.tracing_number) == (3, 1)
+    symbols = sorted({s for row in (*curve.points, curve.weights) for s in row} - {1}, key=str)
+    values = {s: 3 * k * k % 11 + 1 for k, s in enumerate(symbols)}
+    points = [[x.subs(values) for x in row] for row in curve.points]
+    one = implicitize(RationalBezier(points, [sp.S(w).subs(values) for w in weights])).polynomial
+    quotient = sp.cancel(general.polynomial.subs(values) / one)
+    assert quotient.is_number and quotient != 0
+
+
+def test_symbols_hide_neither_common_factors_nor_curves_traced_twice():
+    assert implicitize([a * t**2, t**4]).tracing_number == 2
+    common = implicitize([(t - a) * t / (t - a), (t - a) * b / ((t - a) * (t + 1))])
+    assert prove(common.polynomial, x * y + y - b) or prove(common.polynomial, b - x * y - y)
+    assert implicitize([a * t, (a - 2) * t**3]).degree == 3  # the first example has a = 2/3
+
+
 REFUSED = [
     (lambda: implicitize([1, 2]), BadValue, "one point"),
     (lambda: implicitize([t, t**17]), BadValue, "degree 16 or less"),
+    (lambda: implicitize([t, a * t**11]), BadValue, "degree 10 or less where it has symbols"),
+    (lambda: implicitize(RationalBezier(GENERIC[:6], [1] * 6)), BadValue, "fewer symbols"),
     (lambda: implicitize([t, t, t]), BadValue, "in the plane.*3 coordinates"),
     (lambda: implicitize([t * 0.5, t]), NotExact, "Rational"),
     (lambda: implicitize([sp.sin(t), t]), BadValue, "symbol in its place"),
