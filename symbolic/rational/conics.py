@@ -206,11 +206,15 @@ def _proper(conic: Conic) -> list[Step]:
     shares = [weight * b for weight, b in zip((w0, w1, w2), bernstein(2), strict=True)]
     a, b, c = w0 - 2 * w1 + w2, 2 * w1 - 2 * w0, w0
     disc = plus(sp.Pow(b, 2, evaluate=False), times(-4, a, c))
-    signs = {"ellipse": "negative: none", "parabola": "zero: one", "hyperbola": "positive: two"}
+    signs = {
+        "ellipse": "negative: none of the conic's points is at infinity",
+        "parabola": "zero: one of the conic's points is at infinity",
+        "hyperbola": "positive: two of the conic's points are at infinity",
+    }
     steps = [
         Step(sp.Add(*shares), w, "the denominator; where it is zero, the curve is at infinity"),
         Step(disc, 4 * conic.discriminant,
-             f"its discriminant is {signs[conic.kind]} of the conic's points is at infinity"),
+             f"its discriminant is {signs[conic.kind]}"),
     ]  # fmt: skip
     if w1 != 0:
         steps.append(
@@ -229,8 +233,10 @@ def _proper(conic: Conic) -> list[Step]:
 
 def _degenerate(conic: Conic) -> list[Step]:
     rows = dense(conic.curve.homogeneous)
-    combination = to_matrix(rows.transpose().nullspace())[0, :]
+    combinations = to_matrix(rows.transpose().nullspace())
     homogeneous = sp.ImmutableMatrix(conic.curve.homogeneous)
-    zero = sp.ImmutableMatrix.zeros(1, homogeneous.cols)
-    because = "the homogeneous control points are dependent: the curve stays on a line"
-    return [Step(times(combination, homogeneous), zero, because)]
+    zero = sp.ImmutableMatrix.zeros(combinations.rows, homogeneous.cols)
+    because = "the homogeneous control points are dependent: " + (
+        "the curve stays on a line" if conic.kind == "line" else "all are one point"
+    )
+    return [Step(times(combinations, homogeneous), zero, because)]

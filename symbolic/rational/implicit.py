@@ -17,9 +17,10 @@ from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyRing
 
 from ..errors import BadType, BadValue, shown
-from ..exact import PARAMETER, exact_points
-from ..polynomials import Coefficients, expression
+from ..exact import PARAMETER
+from ..polynomials import Coefficients, expression, polynomials
 from ..proofs.derivation import Derivation
+from .arcs import plane_point
 from .bezout import bezout_matrix, determinant
 from .common_denominator import over_one_denominator, with_numbers
 from .homogeneous import decidable_field
@@ -46,6 +47,8 @@ class ImplicitCurve:
     tracing_number : int
         How many parameters lead to a point in general: 1 for a proper parametrization. The degree
         of the parametrization is `degree * tracing_number`.
+    parts : (X, Y, W)
+        The curve (X/W, Y/W): polynomials in t without common factor.
     """
 
     polynomial: sp.Expr
@@ -53,8 +56,7 @@ class ImplicitCurve:
     y: sp.Symbol
     degree: int
     tracing_number: int
-    domain: Domain = field(compare=False)
-    forms: tuple[Coefficients, ...] = field(compare=False, metadata={"holds": "X, Y, W"})
+    parts: tuple[sp.Expr, ...] = field(compare=False)
 
     def __repr__(self) -> str:
         times = f", traced {self.tracing_number} times" if self.tracing_number > 1 else ""
@@ -63,8 +65,8 @@ class ImplicitCurve:
     @cached_property
     def derivation(self) -> Derivation:
         """Bezout's matrix, and the proof that the curve satisfies the equation."""
-        parts = [expression(p, self.domain, PARAMETER) for p in self.forms]
-        return derive(self.polynomial, (self.x, self.y), parts, self.degree * self.tracing_number)
+        n = self.degree * self.tracing_number
+        return derive(self.polynomial, (self.x, self.y), self.parts, n)
 
     def inversion(self, point: Any) -> tuple[sp.Expr, ...]:
         """Return all real parameters at which the curve runs through a point, in order.
@@ -87,16 +89,14 @@ class ImplicitCurve:
         >>> circle.inversion([-1, 0]), circle.inversion([0, 0])
         ((oo,), ())
         """
-        (row,) = exact_points([point])
-        if len(row) != 2:
-            raise BadValue("a point in the plane", shown(row), "Give [x, y].")
-        flat = [self.domain.to_sympy(c) for p in self.forms for c in p]
-        domain, elements = decidable_field([*flat, *row])
-        if domain.is_FractionField:
+        row = plane_point(point)
+        point_and_curve = (*row, *self.parts)
+        if any(symbol != PARAMETER for e in point_and_curve for symbol in e.free_symbols):
             raise BadValue("a curve and a point without symbols", shown(row), "Put numbers in.")
-        *rest, x, y = elements
-        forms = [[rest.pop(0) for _ in p] for p in self.forms]
-        common, at_infinity = _common_root_form(forms, x, y, domain)
+        decidable_field(point_and_curve)
+        domain, (*coordinates, p, q, w) = polynomials(point_and_curve, PARAMETER)
+        x, y = (c[0] if c else domain.zero for c in coordinates)
+        common, at_infinity = _common_root_form([p, q, w], x, y, domain)
         return (*_real_roots(common, domain), *([sp.oo] if at_infinity else []))
 
 
@@ -157,7 +157,8 @@ def implicitize(curve: Any, x: sp.Symbol = _X, y: sp.Symbol = _Y) -> ImplicitCur
         f = f.sqf_part()
     degree = max(sum(powers) for powers in f.monoms())
     polynomial = _primitive(f, domain).as_expr(x, y)
-    return ImplicitCurve(polynomial, x, y, degree, n // degree, domain, tuple(forms))
+    parts = tuple(expression(p, domain, PARAMETER) for p in forms)
+    return ImplicitCurve(polynomial, x, y, degree, n // degree, parts)
 
 
 def _refuse_large(n: int, domain: Domain) -> None:

@@ -37,7 +37,7 @@ def derive(
     steps = [Step(sp.ImmutableMatrix([[crossed]]), cayley,
                   "Bezout's matrix, without its factor t - s: where x W - X and y W - Y have a "
                   "common root t, the row of powers of t times the matrix is zero")]  # fmt: skip
-    if n <= _LARGEST_DETERMINANT:
+    if 1 < n <= _LARGEST_DETERMINANT:
         steps.append(_determinant_step(rows, equation, symbols))
     steps.append(_substitution(equation, symbols, parts))
     source = "Sederberg, Anderson and Goldman 1984; the matrix in Cayley's form"
@@ -54,11 +54,13 @@ def _determinant_step(
     n = rows.rows
     signed = [(sp.LeviCivita(*order), order) for order in permutations(range(n))]
     products = [s * sp.Mul(*(rows[i, j] for i, j in enumerate(order))) for s, order in signed]
+    products = [product for product in products if product != 0]
     f, whole = (sp.Poly(e, *symbols) for e in (equation, sp.Add(*products)))
     power = n // f.total_degree()
+    factor = quotient(whole.LC(), f.LC() ** power)
     return Step(
         plus(*products),
-        times(quotient(whole.LC(), f.LC() ** power), equation**power),
+        equation**power if factor == 1 else times(factor, equation**power),
         "its determinant" + (", a power: the curve is traced more than once" if power > 1 else ""),
     )
 

@@ -145,7 +145,7 @@ class NURBS:
             ]
             rows = self.homogeneous[j - self.degree : j + 1]
             *numerators, w = (
-                plus(*(n * x for n, x in zip(on_span, column, strict=True)))
+                plus(*(n * x for n, x in zip(on_span, column, strict=True) if n * x != 0))
                 for column in zip(*rows, strict=True)
             )
             steps.append(

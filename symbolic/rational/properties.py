@@ -108,7 +108,7 @@ def weight_attraction(n: int = 2, i: int = 1) -> Derivation:
         f"The weight {name} attracts the curve",
         (
             Step(sp.Derivative(numerator, w), b * p, f"only one term of the numerator has {name}"),
-            Step(sp.Derivative(denominator, w), b, "and one of the denominator"),
+            Step(sp.Derivative(denominator, w), b, f"and only one of the denominator has {name}"),
             Step(sp.Derivative(c, w), b / below * (p - c),
                  f"the quotient rule, N and W being the terms without {name}: the velocity points "
                  f"from the curve to {point}"),

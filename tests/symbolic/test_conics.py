@@ -77,6 +77,13 @@ def test_known_conics(case):
     assert (conic.radius_squared == 1) == (is_circle and len(points[0]) in (2, 3))
 
 
+def test_a_point_is_not_called_a_line():
+    point = conic_type([[1, 2]] * 3, [1, 3, 2])
+    assert point.kind == "point" and point.derivation.is_proved
+    (step,) = point.derivation.steps
+    assert step.because.endswith("all are one point") and step.right.rows == 2
+
+
 def test_points_at_infinity():
     with pytest.warns(HullWarning):
         half = conic_type([[1, 0], [0, 1], [-1, 0]], [1, 0, 1])

@@ -1,5 +1,7 @@
 """Implicit equations: laws over random curves, Sylvester's resultant as oracle, the inversion."""
 
+import pickle
+
 import pytest
 import sympy as sp
 from hypothesis import assume, given, settings
@@ -170,6 +172,26 @@ def test_the_general_cubic_takes_no_time(weights):
     one = implicitize(RationalBezier(points, [sp.S(w).subs(values) for w in weights])).polynomial
     quotient = sp.cancel(general.polynomial.subs(values) / one)
     assert quotient.is_number and quotient != 0
+
+
+@pytest.mark.parametrize("curve", [[t**2, t**3], [a * t**2, t**3], [sp.sqrt(2) * t, a * t**3]])
+def test_equations_survive_pickling(curve):
+    equation = implicitize(curve)
+    again = pickle.loads(pickle.dumps(equation))
+    assert again == equation and again.parts == equation.parts
+    assert again.derivation.is_proved
+
+
+def test_steps_have_no_empty_terms():
+    for curve in (
+        [t**2, t**3],
+        [2 * t, 3 * t + 1],
+        [a * t, t**2],
+        [1 / (1 + t**2), t / (1 + t**2)],
+    ):
+        for step in implicitize(curve).derivation.steps:
+            left, right = str(step).partition(", because")[0].split(" = ")[:2]
+            assert "+ 0" not in left and left != right
 
 
 def test_symbols_hide_neither_common_factors_nor_curves_traced_twice():
