@@ -2,6 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from typing import Any
+
+TOO_LONG = "(numbers of thousands of digits)"
+
 
 class _Explained(Exception):
     """An error made of three facts, so that none of them can be forgotten."""
@@ -41,5 +46,17 @@ def shown(value: object, limit: int = 80) -> str:
     >>> shown("a" * 200, limit=12)
     "'aaaaaaaa..."
     """
-    text = " ".join(repr(value).split())
+    text = " ".join(written(value, repr).split())
     return text if len(text) <= limit else text[: limit - 3] + "..."
+
+
+def written(value: object, printer: Callable[[Any], str] = str) -> str:
+    """Return a value as text, also where Python refuses to write its numbers out.
+
+    >>> written(3), written(10**5000)
+    ('3', '(numbers of thousands of digits)')
+    """
+    try:
+        return printer(value)
+    except ValueError:  # beyond sys.get_int_max_str_digits(), since writing takes so long
+        return TOO_LONG

@@ -12,6 +12,7 @@ from dataclasses import replace
 import sympy as sp
 
 from ..dag import postorder, substitute
+from ..errors import written
 from .generators import NoNormalForm
 from .side import evaluated
 from .verdict import Refuted, Undecided, Verdict
@@ -46,7 +47,7 @@ def as_declared(refuted: Refuted, given: Pair, compare: Callable[[Pair], Verdict
         verdict = compare((left, right))
         if isinstance(verdict, Refuted):
             return replace(verdict, witness={**values, **verdict.witness})
-    places = ", ".join(f"{symbol} = {refuted.witness[symbol]}" for symbol in broken)
+    places = ", ".join(f"{symbol} = {written(refuted.witness[symbol])}" for symbol in broken)
     return Undecided(f"the sides differ at {places}, but that is not what was declared")
 
 

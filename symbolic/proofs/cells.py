@@ -8,6 +8,7 @@ from functools import cmp_to_key
 
 import sympy as sp
 
+from ..errors import shown, written
 from ..signs import sign
 from .generators import NoNormalForm
 
@@ -68,15 +69,15 @@ class Cell:
         return different, [Cell(a, b) for a, b in zip(ends, ends[1:], strict=False)]
 
     def __str__(self) -> str:
-        low = "-oo" if self.low is None else self.low
-        return f"({low}, {'oo' if self.high is None else self.high})"
+        low = "-oo" if self.low is None else written(self.low)
+        return f"({low}, {'oo' if self.high is None else written(self.high)})"
 
 
 def certain_sign(number: sp.Expr) -> int:
     """Return the sign of a real number; `NoNormalForm` if it is not known."""
     found = sign(number)
     if found is None:
-        raise NoNormalForm(f"the sign of {number} is not known")
+        raise NoNormalForm(f"the sign of {shown(number, 60)} is not known")
     return found
 
 

@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..errors import shown
 from .generators import Generator, NoNormalForm
 from .normal_form import NormalForms
 from .verdict import Proved, Undecided, Verdict
@@ -66,13 +67,13 @@ def _verdict(
 
 def _names(generators: Sequence[Generator]) -> str:
     unknown = [g for g in generators if g.kind in ("angle", "other")]
-    return ", ".join(sorted(str(g.expression) for g in unknown))
+    return ", ".join(sorted(shown(g.expression, 200) for g in unknown))
 
 
 def _kind(generators: Sequence[Generator], divides: bool) -> str:
     """Name the structure in which two expressions were compared."""
     roots = [g for g in generators if g.kind == "number" and g.expression is not sp.pi]
-    names = sorted((str(g.expression) for g in generators if g not in roots), key=len)
+    names = sorted((shown(g.expression, 200) for g in generators if g not in roots), key=len)
     if not names:
         return "numbers"
     if len(names) > 6:

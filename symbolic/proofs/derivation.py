@@ -8,6 +8,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..errors import TOO_LONG, written
 from .linear_text import linear_text
 from .proof import prove
 from .verdict import Proved, Refuted, Verdict
@@ -63,12 +64,17 @@ class Step:
         A step that is not proved has a crossed or questioned equals sign instead, and says so in
         words, with the witness or the reason.
         """
-        left, right, verdict = sp.latex(self.left), sp.latex(self.right), self.verdict
+        left, right, verdict = _latex(self.left), _latex(self.right), self.verdict
         if isinstance(verdict, Proved):
             return rf"{left} = {right} \quad \checkmark"
         relation = r"\neq" if isinstance(verdict, Refuted) else r"\overset{?}{=}"
         word = type(verdict).__name__.lower()
         return rf"{left} {relation} {right} \quad \text{{({word}: {_escaped(_reason(verdict))})}}"
+
+
+def _latex(side: Any) -> str:
+    text = written(side, sp.latex)
+    return rf"\text{{{text}}}" if text == TOO_LONG else text
 
 
 def _reason(verdict: Verdict) -> str:

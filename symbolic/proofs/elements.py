@@ -11,6 +11,7 @@ from typing import Any
 
 import sympy as sp
 
+from ..errors import shown
 from .generators import NoNormalForm
 
 # Limits, so that a short text cannot keep a reader waiting for longer than a few seconds.
@@ -69,7 +70,7 @@ def folded(operation: Callable[[Any, Any], Any], operands: Sequence[Any]) -> Any
 def power(base: Any, exponent: int, relations: Relations) -> Any:
     """Return base**exponent, reduced."""
     if abs(exponent) > HIGHEST_POWER:
-        raise NoNormalForm(f"the power {exponent} is too high to expand")
+        raise NoNormalForm(f"the power {shown(exponent, 40)} is too high to expand")
     if exponent < 0:
         base, exponent = divided(_one(base), reduced(base, relations)), -exponent
     if exponent * _bits(base) > MOST_BITS:

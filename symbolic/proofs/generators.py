@@ -14,6 +14,7 @@ from typing import Literal
 
 import sympy as sp
 
+from ..errors import shown
 from ..fields import operands
 from ..radicals import is_radical, orders
 
@@ -70,11 +71,11 @@ class Generators:
 
     def _add_leaf(self, node: sp.Basic) -> None:
         if not isinstance(node, sp.Expr) or node.is_commutative is False:
-            self._trouble[node] = f"{node} is not a commutative expression"
+            self._trouble[node] = f"{shown(node, 60)} is not a commutative expression"
         elif node in (sp.nan, sp.zoo, sp.oo, -sp.oo) or (node.is_Pow and node.base == 0):
             self._trouble[node] = "one side is undefined or infinite"
         elif isinstance(node, sp.AccumBounds | sp.Order):
-            self._trouble[node] = f"{node} is not one number"
+            self._trouble[node] = f"{shown(node, 60)} is not one number"
         elif isinstance(node, sp.cos | sp.sin):
             (angle,) = node.args
             symbol = _symbol_of(angle)

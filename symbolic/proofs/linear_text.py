@@ -8,6 +8,7 @@ from typing import Any
 import sympy as sp
 from sympy.printing.str import StrPrinter
 
+from ..errors import written
 from ..exact import as_list
 
 _RELATIONS = {"<=": "at most", ">=": "at least", "<": "less than", ">": "greater than"}
@@ -40,7 +41,7 @@ def _spoken(expression: Any) -> str:
     for kind, words in _WORDS.items():
         # SymPy's printers look their methods up by the name of the class.
         setattr(printer, f"_print_{kind}", _within(printer, words))
-    text = str(printer.doprint(expression))
+    text = written(expression, printer.doprint)
     return text.replace("**", "^").replace("*", " ")
 
 

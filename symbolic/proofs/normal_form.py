@@ -18,6 +18,7 @@ from sympy.polys.orderings import lex
 from sympy.polys.rings import PolyRing
 
 from ..dag import postorder
+from ..errors import shown
 from ..fields import operands
 from ..radicals import is_radical, plain_roots, prime_roots
 from .angles import in_base_angles
@@ -172,7 +173,7 @@ class NormalForms:
             else:
                 result *= factor
         if not result.is_Rational:
-            raise NoNormalForm(f"{number}**({exponent}) is not understood")
+            raise NoNormalForm(f"{shown(number, 60)}**({exponent}) is not understood")
         return element * sp.QQ(result.p, result.q)
 
     def _derivative(self, node: sp.Derivative, element: Any) -> Any:

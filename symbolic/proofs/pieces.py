@@ -15,7 +15,7 @@ from sympy.core.relational import Relational
 from sympy.logic.boolalg import And, BooleanFalse, BooleanTrue, Not, Or
 
 from ..dag import postorder, substitute
-from ..errors import BadValue, shown
+from ..errors import BadValue, shown, written
 from ..polynomials import polynomials
 from ..signs import sign
 from .cells import Cell, certain_sign
@@ -69,7 +69,7 @@ def compared_in_pieces(sides: Pair, windows: Windows | None = None) -> Verdict:
             inside = replace(inside, witness={variable: cell.inside(), **inside.witness})
         found.append(inside)
         for point in breaks[i : i + 1]:
-            signs, where = _signs_at(variable, point), f"at {variable} = {point}"
+            signs, where = _signs_at(variable, point), f"at {variable} = {written(point)}"
             at_point = _in_piece(sides, split, signs, (variable, point), others, where)
             if isinstance(at_point, Refuted):
                 at_point = replace(at_point, witness={variable: point, **at_point.witness})

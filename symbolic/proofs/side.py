@@ -115,13 +115,12 @@ def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
             ) from None
         nodes = list(postorder([expression]))
     pending = [node for node in nodes if isinstance(node, tuple(_LIMITS))]
-    if not pending or (keep_operators and all(map(is_operator, pending))):
+    keep_operators = keep_operators and all(map(is_operator, pending))
+    for node in pending:
+        _refuse_ambiguous(node, keep_operators)
+    if not pending or keep_operators:
         return expression
     for node in pending:
-        if isinstance(node, sp.Derivative) and has_corners([node.expr]):
-            raise NoNormalForm("a derivative at break points is not understood")  # nor by SymPy
-        if isinstance(node, sp.Integral) and any(len(limits) == 1 for limits in node.limits):
-            raise NoNormalForm(f"{shown(node, 60)} is known only up to a constant")
         for kind, is_short in _LIMITS.items():
             if isinstance(node, kind) and not is_short(node):
                 raise NoNormalForm(
@@ -132,6 +131,17 @@ def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
         return exact(result)
     except BadValue:
         raise NoNormalForm(f"{shown(expression, 60)} is {shown(result, 60)}") from None
+
+
+def _refuse_ambiguous(node: sp.Basic, keep_operators: bool) -> None:
+    if isinstance(node, sp.Derivative) and has_corners([node.expr]):
+        raise NoNormalForm("a derivative at break points is not understood")  # nor by SymPy
+    if isinstance(node, sp.Subs) and not (
+        _is_one_substitution(node) or (keep_operators and set(node.point) == set(node.variables))
+    ):  # (an exchange of symbols is meant all at once)
+        raise NoNormalForm(f"{shown(node, 60)} depends on what is put in first")
+    if isinstance(node, sp.Integral) and any(len(limits) == 1 for limits in node.limits):
+        raise NoNormalForm(f"{shown(node, 60)} is known only up to a constant")
 
 
 def has_corners(expressions: Iterable[sp.Basic]) -> bool:
@@ -154,6 +164,18 @@ def is_operator(node: sp.Basic) -> bool:
         or isinstance(below, sp.Derivative | sp.Subs)
         for below in postorder(inside, _inside)
     )  # fmt: skip
+
+
+def _is_one_substitution(node: sp.Subs) -> bool:
+    """Tell whether it is the same all at once (its printed form) and one by one (its `doit`).
+
+    SymPy writes nested substitutions, which are one by one, as a single one.
+    """
+    return not any(
+        symbol in node.variables[i + 1 :]
+        for i, point in enumerate(node.point)
+        for symbol in point.free_symbols
+    )
 
 
 def _inside(node: sp.Basic) -> tuple[sp.Basic, ...]:

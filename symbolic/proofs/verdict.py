@@ -8,6 +8,8 @@ from math import log10
 
 import sympy as sp
 
+from ..errors import written
+
 
 @dataclass(frozen=True)
 class Verdict:
@@ -63,7 +65,7 @@ class Refuted(Verdict):
 
     def __str__(self) -> str:
         place = f" in {self.where}" if self.where else ""
-        values = ", ".join(f"{name} = {value}" for name, value in self.witness.items())
+        values = ", ".join(f"{name} = {written(value)}" for name, value in self.witness.items())
         at = f" at {values}" if values else ""
         left, right = shown_number(self.left), shown_number(self.right)
         return f"Refuted{place}:{at} the left side is {left} and the right side {right}."
@@ -76,7 +78,7 @@ def shown_number(value: sp.Expr) -> str:
     'a number of about 401 digits'
     """
     bits = max(abs(value.p), value.q).bit_length() if value.is_Rational else 0
-    return f"a number of about {1 + int(bits * log10(2))} digits" if bits > 1000 else str(value)
+    return f"a number of about {1 + int(bits * log10(2))} digits" if bits > 1000 else written(value)
 
 
 @dataclass(frozen=True, repr=False)

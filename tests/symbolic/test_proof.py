@@ -223,4 +223,9 @@ def test_matrix_expressions_are_written_out():
 
 
 def test_huge_numbers_are_told_by_their_size():
+    huge = sp.Integer(10) ** 5000
     assert "about 5001 digits" in str(prove(10**5000 * x, (10**5000 + 1) * x))
+    for left in (sp.Piecewise((x, x < huge)), sin(huge), sp.Abs(x - huge), x**huge, sp.log(huge)):
+        step = Step(left, x * huge, "size")
+        for text in (str(step), repr(step.verdict), step._repr_latex_()):
+            assert "digits" in text

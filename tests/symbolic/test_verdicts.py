@@ -102,6 +102,7 @@ PROVED = [
     (step((sin(t) ** 2, t < 1), (1 - cos(t) ** 2, True)), (1 - cos(2 * t)) / 2),
     # substitutions and derivatives
     (Subs(Derivative(t**3 * x, t), t, a), 3 * a**2 * x),
+    (Subs(x + 2 * y, (x, y), (a, x)), a + 2 * x),
     (Subs(x + 2 * y, (x, y), (y, x)), y + 2 * x),
     (Derivative(t / (1 + t), (t, 2)), -2 / (1 + t) ** 3),
 ]  # fmt: skip
@@ -291,6 +292,8 @@ n, positive = Symbol("n", integer=True), Symbol("p", positive=True)
     # what is meant is not certain
     (sp.Integral((1 + t) ** 2, t), (1 + t) ** 3 / 3),
     (sp.Sum(t, (t, 5, 1)), 0),
+    (Subs(Subs(t * x, t, x), x, 2), 2 * x),
+    (Subs(x + 2 * Max(y, 0), (x, y), (y, x)), y + 2 * Max(x, 0)),  # SymPy puts in one by one
     # true for what was declared
     (sin(n * pi / 2) * cos(n * pi / 2), 0),
     (sp.Mul((-1) ** n, (-1) ** n, evaluate=False), 1),
