@@ -93,6 +93,9 @@ class JointConditions:
         ]
         return field, rows
 
+    def __reduce__(self) -> tuple[type, tuple[Any, ...]]:
+        return type(self), (self.degree, self.order, self.betas, self.derive)  # without fields
+
     def __str__(self) -> str:
         return "\n".join(f"{left} = {right}" for left, right in self.conditions)
 

@@ -75,22 +75,32 @@ def continuity_at(left: Any, right: Any, ratio: Any = 1) -> Continuity:
     p, q = before.series(highest), after.series(highest)
     differences = _differences(p[: same + 1], q, scale, field)
     failing = next((j for j, row in enumerate(differences) if any(row)), None)
-    directions = [_direction(p, left=True), _direction(q, left=False)]
+    incoming, outgoing = _direction(p, left=True), _direction(q, left=False)
     signs = _Signs(scale, field, _declared_positive([left, right, ratio]))
+    turn = _turn(incoming, outgoing, signs)
     geometric: Order | Undecided = -1
     least: Order = -1
     betas: list[Any] = []
     if failing != 0:
-        geometric, least, betas = _geometric(before, after, p, q, directions, signs)
+        geometric, least, betas = _geometric(before, after, p, q, turn)
     return Continuity(
         sp.oo if failing is None else failing - 1,
         geometric,
         least,
         tuple(_point(row, field) for row in differences),
         _point(betas, field),
-        (_unit(directions[0], field), _unit(directions[1], field)),
-        partial(joint_derivation, before=before, after=after, ratio=field.to_sympy(scale)),
+        _tangents(incoming, outgoing, turn, field),
+        partial(
+            joint_derivation, left=before.given, right=after.given, ratio=field.to_sympy(scale)
+        ),
     )
+
+
+def _turn(incoming: Vector | None, outgoing: Vector | None, signs: _Signs) -> Turn | None:
+    if incoming is None or outgoing is None:
+        return None
+    factor = multiple(outgoing, incoming, signs.field)
+    return Turn(factor, None if factor is None else signs.of(factor))
 
 
 def _geometric(
@@ -98,20 +108,17 @@ def _geometric(
     after: Segment,
     p: Sequence[Vector],
     q: Sequence[Vector],
-    directions: Sequence[Vector | None],
-    signs: _Signs,
+    turn: Turn | None,
 ) -> tuple[Order | Undecided, Order, list[Any]]:
     """Return the geometric order of segments that meet, what is certain of it, and the betas."""
     field = before.field
-    incoming, outgoing = directions
-    if incoming is None or outgoing is None:
+    if turn is None:
         return Undecided("a segment that is a single point has no tangent"), 0, []
-    factor = multiple(outgoing, incoming, field)
-    positive = -1 if factor is None else signs.of(factor)
-    if positive is None:
-        return Undecided(f"the sign of {field.to_sympy(factor)} decides on G^1"), 0, []
-    if factor is None or positive < 0:
+    factor = turn.factor
+    if factor is None or turn.sign == -1:
         return 0, 0, []
+    if turn.sign is None:
+        return Undecided(f"the sign of {field.to_sympy(factor)} decides on G^1"), 0, []
     if not (any(p[1]) and any(q[1])):
         return Undecided("a first derivative is zero at the joint"), 1, []
     shown = max(before.degree, after.degree)
@@ -163,6 +170,16 @@ def _direction(series: Sequence[Vector], left: bool) -> Vector | None:
     return [-c for c in series[order]] if left and order % 2 == 0 else series[order]
 
 
+def _tangents(
+    incoming: Vector | None, outgoing: Vector | None, turn: Turn | None, field: Domain
+) -> tuple[Point | None, Point | None]:
+    """Return the unit tangents; equal and opposite ones are equal and opposite expressions."""
+    before, after = _unit(incoming, field), _unit(outgoing, field)
+    if turn and turn.sign and before:
+        after = tuple(turn.sign * c for c in before)
+    return before, after
+
+
 def _unit(direction: Vector | None, field: Domain) -> Point | None:
     if direction is None:
         return None
@@ -172,6 +189,13 @@ def _unit(direction: Vector | None, field: Domain) -> Point | None:
 
 def _point(vector: Vector, field: Domain) -> Point:
     return tuple(field.to_sympy(c) for c in vector)
+
+
+class Turn(NamedTuple):
+    """The direction after a joint is `factor` times that before it; None if it is no multiple."""
+
+    factor: Any | None
+    sign: int | None
 
 
 class _Signs(NamedTuple):

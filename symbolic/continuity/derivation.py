@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from dataclasses import replace
 from itertools import combinations
 from math import factorial
 from typing import Any
@@ -17,17 +18,15 @@ from .conditions import derivative_at
 from .connection import chain_rows
 from .contact import first_not_zero, multiple
 from .joint import Continuity
-from .segments import Segment, Vector
+from .segments import Given, Segment, Vector, read_segments
 
 
-def joint_derivation(
-    joint: Continuity, before: Segment, after: Segment, ratio: sp.Expr
-) -> Derivation:
+def joint_derivation(joint: Continuity, left: Given, right: Given, ratio: sp.Expr) -> Derivation:
     """Return the steps behind a verdict; each states a value, its reason what follows from it."""
+    before, after, _ = read_segments(left, right, ratio)  # fields cannot be pickled, these can
     steps = _residual_steps(joint, before, after, ratio)
     if joint.parametric == sp.oo:
-        moved = [sp.Subs(c, PARAMETER, 1 + ratio * PARAMETER) for c in before.curve]
-        steps.append(Step(_row(moved), _row(after.curve), "one curve, before the joint and after"))
+        steps.append(_one_curve(before, after, ratio, "one curve, before the joint and after"))
     if joint.parametric != -1 and None not in joint.tangents:
         steps += _geometric_steps(joint, before, after)
     return Derivation("Continuity at a joint", tuple(steps))
@@ -64,6 +63,8 @@ def _geometric_steps(joint: Continuity, before: Segment, after: Segment) -> list
              f"derivative {j} by those of the left segment, with beta{j} = {beta}: G^{j}")
         for j, beta in enumerate(joint.betas, 1)
     ]  # fmt: skip
+    if joint.geometric == sp.oo:
+        steps[-1:] = _beyond(steps[-1], before, after, joint.betas)
     if joint.geometric == known:
         j = known + 1
         rest = [
@@ -73,6 +74,24 @@ def _geometric_steps(joint: Continuity, before: Segment, after: Segment) -> list
         why = f"no beta{j}: the rest of derivative {j} is not along the tangent, so not G^{j}"
         steps.append(_parallel_step(rest, p[1], field, why))
     return steps
+
+
+def _beyond(last: Step, before: Segment, after: Segment, betas: Sequence[sp.Expr]) -> list[Step]:
+    """Say why the segments agree beyond the last beta that is shown."""
+    m, n, field = before.degree, after.degree, before.field
+    speed = field.from_sympy(betas[0])
+    pairs = zip(before.series(m + n), after.series(m + n), strict=True)
+    if all(y == speed**j * x for j, rows in enumerate(pairs) for x, y in zip(*rows, strict=True)):
+        why = f"one curve at another speed, {betas[0]} times as fast: G^oo"
+        return [last, _one_curve(before, after, betas[0], why)]
+    why = f"{last.because}. Followed up to G^{m * n}: by Bezout's theorem different curves of "
+    why += f"degrees {m} and {n} touch less closely, so both follow one: G^oo"
+    return [replace(last, because=why)]
+
+
+def _one_curve(before: Segment, after: Segment, speed: sp.Expr, why: str) -> Step:
+    moved = [sp.Subs(c, PARAMETER, 1 + speed * PARAMETER) for c in before.curve]
+    return Step(_row(moved), _row(after.curve), why)
 
 
 def _direction_steps(

@@ -1,5 +1,6 @@
 """Joints of two segments: the course's vectors (ids K), laws of conditions and of verdicts."""
 
+import pickle
 from fractions import Fraction
 
 import numpy as np
@@ -443,3 +444,31 @@ def test_bad_input(name):
 def test_integer_arrays_and_fractions_are_read():
     joint = continuity_at(np.array([[0, 0], [1, 1]]), [(1, 1), (Fraction(3, 2), Fraction(3, 2))])
     assert (joint.parametric, joint.geometric, joint.betas) == (0, sp.oo, (R(1, 2),))
+
+
+@pytest.mark.parametrize("height", [sp.Integer(3), sp.sqrt(2), sp.Symbol("h")])
+def test_joints_survive_pickling(height):
+    joint = continuity_at([[0, 0], [1, height]], [[1, height], [2, 3]])
+    conditions = geometric_continuity(3, 2, [2, height])
+    assert str(conditions)
+    for one in (joint, conditions):
+        again = pickle.loads(pickle.dumps(one))
+        assert str(again) == str(one) and again.derivation.is_proved
+
+
+def test_opposite_tangents_are_seen_through_roots_and_symbols():
+    a = 1 + sp.sqrt(2)
+    for x, y in ((a, 1), (sp.Symbol("p"), sp.Symbol("q"))):
+        back = continuity_at([[0, 0], [x, y]], [[x, y], [-2 * x, -2 * y]])
+        assert "opposite" in str(back)
+        on = continuity_at([[0, 0], [x, y]], [[x, y], [3 * x, 3 * y]])
+        assert on.tangents[0] == on.tangents[1]
+
+
+def test_a_derivation_says_why_contact_never_ends():
+    faster = continuity_at([[0, 0], [1, 1]], [[1, 1], [3, 3]]).derivation
+    assert faster.is_proved and "2 times as fast: G^oo" in faster.steps[-1].because
+    t = sp.Symbol("t")
+    same = continuity_at((t, t**2), (1 + t + t**2, (1 + t + t**2) ** 2))
+    assert same.geometric == sp.oo and same.parametric < 2
+    assert same.derivation.is_proved and "Bezout" in same.derivation.steps[-1].because
