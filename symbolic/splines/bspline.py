@@ -140,9 +140,11 @@ class BSpline:
         """
         return self.span_basis(span).matrix
 
-    def insert(self, points: Any, t: Any, times: int = 1) -> tuple[BSpline, tuple[Point, ...]]:
+    def insert(
+        self, points: Any, t: Any, times: int = 1, span: Any = None
+    ) -> tuple[BSpline, tuple[Point, ...]]:
         """Insert a knot (Boehm); return the spline and the control points of the same curve."""
-        return _spline(*insertion.insert(self.knots, points, t, times))
+        return _spline(*insertion.insert(self.knots, points, t, times, span))
 
     def refine(self, points: Any, new_knots: Any) -> tuple[BSpline, tuple[Point, ...]]:
         """Insert many knots at once (Oslo); return the spline and the points of the same curve."""
@@ -203,9 +205,9 @@ class BSpline:
         return Derivation(f"B-splines of degree {self.degree} over {self._knots_in_words()}",
                           tuple(steps))  # fmt: skip
 
-    def insertion_derivation(self, t: Any) -> Derivation:
+    def insertion_derivation(self, t: Any, span: Any = None) -> Derivation:
         """Return Boehm's insertion of t, point by point."""
-        return insertion.insertion_derivation(self.knots, t)
+        return insertion.insertion_derivation(self.knots, t, span)
 
     def de_boor_derivation(self, span: int) -> Derivation:
         """Return de Boor's algorithm on a span, with the blossom value of every point."""

@@ -121,8 +121,17 @@ class Entry:
         terms = [f"({w})*{b}" for w, b in zip((self.left, self.right), below, strict=True) if w]
         return f"{self.name} = {' + '.join(terms) or 0} = {self.polynomial}"
 
+    def latex(self) -> str:
+        """Return the recursion and its result as a line of an aligned block of LaTeX."""
+        i, r, value = self.index, self.degree, sp.latex(self.polynomial)
+        below = f"N_{{{i},{r - 1}}}", f"N_{{{i + 1},{r - 1}}}"
+        terms = [rf"\left({sp.latex(w)}\right) {b}"
+                 for w, b in zip((self.left, self.right), below, strict=True) if w]  # fmt: skip
+        recursion = f" = {' + '.join(terms)}" if terms else ""
+        return f"N_{{{i},{r}}} &{recursion} = {value}"
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, repr=False)
 class Triangle:
     """The triangle of Cox and de Boor on one span: levels[r] holds N_{j-r,r}, ..., N_{j,r}."""
 
@@ -132,12 +141,11 @@ class Triangle:
     def __str__(self) -> str:
         return "\n".join(str(entry) for level in self.levels for entry in level)
 
+    def __repr__(self) -> str:
+        return str(self)
+
     def _repr_latex_(self) -> str:
-        lines = [
-            rf"N_{{{e.index},{e.degree}}} &= {sp.latex(e.polynomial)}"
-            for level in self.levels
-            for e in level
-        ]
+        lines = [entry.latex() for level in self.levels for entry in level]
         rows = r" \\ ".join(lines)
         return rf"$\displaystyle \begin{{aligned}} {rows} \end{{aligned}}$"
 

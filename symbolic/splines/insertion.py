@@ -17,12 +17,13 @@ from .weights import Row, as_matrix, blossom_weights, combined, control_symbols,
 
 
 def insert(
-    knots: KnotVector, points: Any, t: Any, times: int = 1
+    knots: KnotVector, points: Any, t: Any, times: int = 1, span: Any = None
 ) -> tuple[KnotVector, tuple[Point, ...]]:
     r"""Insert a knot, and return the new knots and control points of the same curve.
 
     With u_k <= t < u_{k+1} the new points are (1 - a_i) P_{i-1} + a_i P_i, where a_i is 1 up to
-    i = k - p, (t - u_i)/(u_{i+p} - u_i) up to k, and 0 from there on (Boehm 1980).
+    i = k - p, (t - u_i)/(u_{i+p} - u_i) up to k, and 0 from there on (Boehm 1980). A symbol t whose
+    place is not known is taken to lie inside the span given.
 
     Raises
     ------
@@ -37,11 +38,11 @@ def insert(
     """
     rows = read_points(knots, points)
     count = whole_number(times)
-    knots.insert(t, times)  # refuses what cannot be inserted before anything is computed
+    knots.insert(t, times, span)  # refuses what cannot be inserted before anything is computed
     for _ in range(count or 0):
-        refined = knots.insert(t)
-        rows = combined(refined, _boehm_rows(knots, refined, knots.index_before(t)), rows)
-        knots = refined
+        refined = knots.insert(t, 1, span)
+        rows = combined(refined, _boehm_rows(knots, refined, knots.place_of(t, span)), rows)
+        knots, span = refined, None  # t is a knot now
     return knots, rows
 
 
@@ -130,7 +131,7 @@ def refinement_matrix(knots: KnotVector, new_knots: Any) -> sp.ImmutableSparseMa
     return as_matrix(refined.field, refinement_rows(knots, refined), knots.point_count)
 
 
-def insertion_derivation(knots: KnotVector, t: Any) -> Derivation:
+def insertion_derivation(knots: KnotVector, t: Any, span: Any = None) -> Derivation:
     """Return Boehm's insertion of t as steps: each new point, and that the curve stays the same.
 
     Examples
@@ -138,7 +139,7 @@ def insertion_derivation(knots: KnotVector, t: Any) -> Derivation:
     >>> insertion_derivation(KnotVector([0, 0, 0, 2, 2, 2], 2), 1).is_proved
     True
     """
-    refined, k = knots.insert(t), knots.index_before(t)
+    refined, k = knots.insert(t, 1, span), knots.place_of(t, span)
     p, u, at = knots.degree, knots.knots, refined.knots[k + 1]
     points = control_symbols(knots)
     oslo = refinement_rows(knots, refined)
@@ -156,7 +157,7 @@ def insertion_derivation(knots: KnotVector, t: Any) -> Derivation:
     new_points = [_written(refined, row, points) for row in oslo]
     for j in refined.spans:
         if at in refined.interval(j):
-            before, after = (_on_span(w, refined.knots[j]) for w in (knots, refined))
+            before, after = _on_span(knots, j if j <= k else j - 1), _on_span(refined, j)
             steps.append(
                 Step(_product(after, new_points), _product(before, points),
                      f"the same curve on [{refined.knots[j]}, {refined.knots[j + 1]}]")
@@ -172,11 +173,10 @@ def _written(knots: KnotVector, row: Row, points: Sequence[sp.Symbol]) -> sp.Exp
     return combined(knots, [row], [(point,) for point in points])[0][0]
 
 
-def _on_span(knots: KnotVector, start: sp.Expr) -> list[sp.Expr]:
-    """Return all basis functions as polynomials on the span that contains `start` on its left."""
-    j = knots.span(start)
+def _on_span(knots: KnotVector, span: int) -> list[sp.Expr]:
+    """Return all basis functions as polynomials on a span."""
     return [
-        next((piece.polynomial for piece in pieces if piece.span == j), sp.S.Zero)
+        next((piece.polynomial for piece in pieces if piece.span == span), sp.S.Zero)
         for pieces in basis_functions(knots)
     ]
 

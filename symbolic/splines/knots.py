@@ -186,9 +186,21 @@ class KnotVector:
             raise BadValue(
                 "a parameter whose place among the knots is known",
                 f"{shown(at)} among {', '.join(map(str, self.knots))}",
-                "Give the index of a span as well, or a knot itself.",
+                "Say in which span it lies (span=...), or take a knot itself.",
             )
         return max(k for k, s in enumerate(signs) if s is not None and s >= 0)
+
+    def place_of(self, t: Any, span: Any = None) -> int:
+        """Return the index of the last knot before a new knot t: that of its span, if given."""
+        if span is None:
+            return self.index_before(t)
+        start, end = self.interval(span)
+        at = by_name(exact(t))
+        if sign(at - start) == -1 or sign(end - at) in (-1, 0):
+            raise BadValue(
+                f"a parameter in the span [{start}, {end})", shown(at), "Leave out the span."
+            )
+        return int(span)
 
     def _sides(self, at: sp.Expr) -> list[int | None]:
         """Return the sign of t - u_k for every knot, filled in from the knots around it."""
@@ -202,8 +214,10 @@ class KnotVector:
                 signs[k] = -1
         return signs
 
-    def insert(self, t: Any, times: int = 1) -> KnotVector:
+    def insert(self, t: Any, times: int = 1, span: Any = None) -> KnotVector:
         """Return the knot vector with t inserted so many times.
+
+        A symbol whose place is not known is taken to lie inside the span given.
 
         Raises
         ------
@@ -218,7 +232,7 @@ class KnotVector:
         count = whole_number(times)
         if count is None or count < 0:
             raise BadValue("a number of times 0, 1, 2, ...", shown(times), "Insert once or more.")
-        k = self.index_before(t)
+        k = self.place_of(t, span)
         at = by_name(exact(t))
         count = min(count, self.degree + 2)  # that many are refused, as more would be
         return KnotVector((*self.knots[: k + 1], *[at] * count, *self.knots[k + 1 :]), self.degree)

@@ -11,6 +11,7 @@ from scipy import interpolate
 from sympy import Rational as R
 
 from symbolic import (
+    BadValue,
     BSpline,
     KnotVector,
     bezier,
@@ -368,3 +369,26 @@ def test_segments_have_the_coefficients_of_scipys_piecewise_polynomials(data):
         ours = [local.coeff_monomial(t**k) for k in range(knots.degree, -1, -1)]
         span = int(np.flatnonzero(np.isclose(oracle.x, float(segment.start)))[-1])
         assert np.array(ours, float) == pytest.approx(oracle.c[:, span], rel=1e-9, abs=1e-9)
+
+
+def test_a_symbol_is_inserted_where_its_span_is_given():
+    u, points = sp.Symbol("u"), [[p] for p in sp.symbols("P0:4")]
+    spline = BSpline([0, 0, 0, 1, 3, 3, 3], 2)
+    for span, inside in ((2, R(1, 2)), (3, R(5, 2))):
+        for times in (1, 2):
+            refined, rows = spline.insert(points, u, times, span=span)
+            asked, expected = spline.insert(points, inside, times)
+            assert tuple(k.subs(u, inside) for k in refined.knots.knots) == asked.knots.knots
+            assert prove([p[0].subs(u, inside) for p in rows], [p[0] for p in expected])
+        assert spline.insertion_derivation(u, span).is_proved
+    with pytest.raises(BadValue, match="Say in which span"):
+        spline.insert(points, u)
+    with pytest.raises(BadValue, match=r"in the span \[0, 1\)"):
+        spline.insert(points, 2, span=2)
+
+
+def test_the_triangle_shows_the_recursion():
+    triangle = BSpline([0, 0, 0, 1, 2, 2, 2], 2).triangle(2)
+    line = "N_1,2 = (t)*N_1,1 + (1 - t/2)*N_2,1 = -3*t**2/2 + 2*t"
+    assert line in repr(triangle)
+    assert r"N_{1,2} & = \left(t\right) N_{1,1} + " in triangle._repr_latex_()
