@@ -82,5 +82,5 @@ def _derivation(basis: Basis) -> Derivation:
                  "the weights of the control points, collected by powers of t"),
             Step(plus(*bernstein(n)), sp.S.One,
                  "the weights sum to one, so the curve moves along with its control points"),
-        ),
+        ), "Farin, Curves and Surfaces for CAGD, chapters 4 and 5",
     )  # fmt: skip

@@ -152,7 +152,7 @@ def _derivation(basis: Basis, knots: tuple[sp.Expr, ...]) -> Derivation:
             *_tangent_steps(basis, knots),
             Step(plus(*basis.functions), sp.S.One,
                  "the weights sum to one, so the curve moves along with its control points"),
-        ),
+        ), "Catmull and Rom 1974; Barry and Goldman 1988",
     )  # fmt: skip
 
 

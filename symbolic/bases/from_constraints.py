@@ -170,4 +170,8 @@ def _derivation(
         Step(times(c, finished), sp.ImmutableMatrix(combinations),
              f"the finished curve has {', '.join(map(str, conditions))} as demanded, row by row"),
     ]  # fmt: skip
-    return Derivation(f"{basis.name}: from {len(conditions)} constraints", tuple(steps))
+    return Derivation(
+        f"{basis.name}: from {len(conditions)} constraints",
+        tuple(steps),
+        "Foley, van Dam, Feiner and Hughes, Computer Graphics, section 11.2",
+    )

@@ -128,5 +128,5 @@ def _derivation(basis: Basis, nodes: tuple[sp.Expr, ...]) -> Derivation:
                  "Kronecker delta: row j has the values at node u_j, one for P_j and zero else"),
             Step(plus(*basis.functions), sp.S.One,
                  "a polynomial of degree n that is one at n + 1 nodes is one everywhere"),
-        ),
+        ), "Farin, Curves and Surfaces for CAGD",
     )  # fmt: skip

@@ -59,5 +59,5 @@ def _derivation(basis: Basis) -> Derivation:
             Step(times(powers, basis.matrix),
                  sp.ImmutableMatrix([basis.functions]),
                  "the matrix turns t^n, ..., t, 1 round, into the order of a0, ..., an"),
-        ),
+        ), "Farin, Curves and Surfaces for CAGD",
     )  # fmt: skip

@@ -121,5 +121,5 @@ def _derivation(basis: Basis) -> Derivation:
                  f"derivatives 0 ... {n - 1} at the end of a segment and at the start of the next"),
             Step(plus((highest * second)[0], times(-1, (highest * first)[0])), sp.Add(*jump),
                  f"derivative {n} jumps by a difference of order {n + 1} of the control points"),
-        ),
+        ), "Cox 1972; de Boor 1972",
     )  # fmt: skip

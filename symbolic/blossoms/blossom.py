@@ -149,7 +149,7 @@ class Blossom:
         given = self.coordinates if self.is_curve else self.coordinates[0]
         steps.append(Step(diagonal, given, "on the diagonal it is the polynomial itself"))
         return Derivation(f"The blossom with {self.degree} arguments: the three axioms",
-                          tuple(steps))  # fmt: skip
+                          tuple(steps), "Ramshaw, Blossoming, 1987")  # fmt: skip
 
     def __repr__(self) -> str:
         polynomial = ", ".join(map(str, self.coordinates))

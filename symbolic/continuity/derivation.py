@@ -29,7 +29,11 @@ def joint_derivation(joint: Continuity, left: Given, right: Given, ratio: sp.Exp
         steps.append(_one_curve(before, after, ratio, "one curve, before the joint and after"))
     if joint.parametric != -1 and None not in joint.tangents:
         steps += _geometric_steps(joint, before, after)
-    return Derivation("Continuity at a joint", tuple(steps))
+    return Derivation(
+        "Continuity at a joint",
+        tuple(steps),
+        "Barsky and DeRose, Geometric continuity of parametric curves, 1989",
+    )
 
 
 def _residual_steps(

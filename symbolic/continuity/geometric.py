@@ -69,7 +69,11 @@ def _derivation(joint: JointConditions) -> Derivation:
              "the matrix times the derivatives of this segment: those asked of the next one"),
         *solution_steps(joint),
     ]  # fmt: skip
-    return Derivation(f"G^{k} joint of Bezier segments of degree {n}", tuple(steps))
+    return Derivation(
+        f"G^{k} joint of Bezier segments of degree {n}",
+        tuple(steps),
+        "Barsky and DeRose, Geometric continuity of parametric curves, 1989",
+    )
 
 
 def chain_steps(matrix: sp.ImmutableMatrix, betas: tuple[sp.Expr, ...]) -> list[Step]:

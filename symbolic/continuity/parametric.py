@@ -134,4 +134,8 @@ def _derivation(joint: JointConditions, scale: sp.Expr) -> Derivation:
             Step(following, sp.Subs(this, t, 1 + scale * t),
                  "no control point is left to choose: the next segment is the same polynomial")
         )  # fmt: skip
-    return Derivation(f"C^{joint.order} joint of Bezier segments of degree {n}", tuple(steps))
+    return Derivation(
+        f"C^{joint.order} joint of Bezier segments of degree {n}",
+        tuple(steps),
+        "Farin, Curves and Surfaces for CAGD",
+    )

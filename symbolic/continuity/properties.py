@@ -16,6 +16,7 @@ from .parameters import read_degree
 from .parametric import a_frame, parametric_continuity
 
 RATIO = sp.Symbol("r")
+_SOURCE = "Farin, Curves and Surfaces for CAGD"
 
 
 def joint_properties(n: int) -> dict[str, Derivation]:
@@ -53,7 +54,7 @@ def parametric_is_geometric(n: int) -> Derivation:
              "of the next")
         for j in range(n + 1)
     ]  # fmt: skip
-    return Derivation(f"C^k joints of degree {n} with p'(1) != 0 are G^k", tuple(steps))
+    return Derivation(f"C^k joints of degree {n} with p'(1) != 0 are G^k", tuple(steps), _SOURCE)
 
 
 def cusp(n: int = 3) -> Derivation:
@@ -78,7 +79,9 @@ def a_frame_closes(n: int) -> Derivation:
     residual = second.conditions[2][1] - difference([q for (q,) in following[:3]])
     product = times(RATIO, plus(after, -before))
     why = "r (d+ - d-) is what the second differences of a C^1 joint lack to C^2"
-    return Derivation(f"The A-frame of a C^1 joint of degree {n}", (Step(product, residual, why),))
+    return Derivation(
+        f"The A-frame of a C^1 joint of degree {n}", (Step(product, residual, why),), _SOURCE
+    )
 
 
 def one_polynomial(n: int) -> Derivation:
@@ -101,7 +104,9 @@ def last_derivative(n: int) -> Derivation:
     value = combination([sp.factorial(n)], [difference(points)])
     why = f"{n}! times the highest difference of the control points, for every t"
     return Derivation(
-        f"Derivative {n} of degree {n}", (Step(sp.Derivative(curve, (PARAMETER, n)), value, why),)
+        f"Derivative {n} of degree {n}",
+        (Step(sp.Derivative(curve, (PARAMETER, n)), value, why),),
+        _SOURCE,
     )
 
 

@@ -23,7 +23,8 @@ t = PARAMETER
 def bezier_algorithms(n: int) -> dict[str, Derivation]:
     """Return why the algorithms on Bezier curves of degree n >= 1 are right, by name.
 
-    The hodograph, subdivision, degree elevation, and the integral.
+    The hodograph, the derivatives from de Casteljau's scheme, subdivision, degree elevation, and
+    the integral.
 
     Raises
     ------
@@ -33,8 +34,8 @@ def bezier_algorithms(n: int) -> dict[str, Derivation]:
     Examples
     --------
     >>> derivations = bezier_algorithms(2)
-    >>> list(derivations)
-    ['hodograph', 'subdivision', 'degree elevation', 'integral']
+    >>> list(derivations)[:3]
+    ['hodograph', 'derivatives from the scheme', 'subdivision']
     >>> all(derivation.is_proved for derivation in derivations.values())
     True
     """
@@ -80,6 +81,23 @@ def _hodograph(n: int) -> Derivation:
     because = f"collected by the weights of degree {n - 1}: {n} times the legs of the polygon"
     steps.append(Step(sp.Derivative(curve, t), bezier_curve(n - 1, legs), because))
     return Derivation(f"The hodograph of a Bezier curve of degree {n}", tuple(steps), _FARIN)
+
+
+def _derivatives_from_the_scheme(n: int) -> Derivation:
+    """c'(t) = n (b_1^{n-1} - b_0^{n-1}), c''(t) = n (n-1)(b_2^{n-2} - 2 b_1^{n-2} + b_0^{n-2})."""
+    points = _points(n)
+    curve = bezier_curve(n, points)
+
+    def b(i: int, r: int) -> sp.Expr:
+        return bezier_curve(r, points[i : i + r + 1])
+
+    steps = [Step(sp.Derivative(curve, t), n * (b(1, n - 1) - b(0, n - 1)),
+                  f"{n} times the chord between the two points before the last")]  # fmt: skip
+    if n > 1:
+        second = n * (n - 1) * (b(2, n - 2) - 2 * b(1, n - 2) + b(0, n - 2))
+        because = f"{n} times {n - 1} times a second difference, two levels before the last"
+        steps.append(Step(sp.Derivative(curve, (t, 2)), second, because))
+    return Derivation(f"Derivatives from de Casteljau's scheme, degree {n}", tuple(steps), _FARIN)
 
 
 def _subdivision(n: int) -> Derivation:
@@ -131,6 +149,7 @@ def _integral(n: int) -> Derivation:
 
 ALGORITHMS: dict[str, Callable[[int], Derivation]] = {
     "hodograph": _hodograph,
+    "derivatives from the scheme": _derivatives_from_the_scheme,
     "subdivision": _subdivision,
     "degree elevation": _degree_elevation,
     "integral": _integral,

@@ -13,10 +13,15 @@ from ..proofs.derivation import Derivation, Step
 from ..written import plus, times
 
 t = PARAMETER
+_SOURCE = "Farin, Curves and Surfaces for CAGD, chapters 4 and 5"
 
 
 def bezier_properties(n: int) -> dict[str, Derivation]:
-    """Return the derivations of all properties below for degree n >= 1, by name.
+    """Return the properties of Bezier curves of degree n >= 1, each with its proof, by name.
+
+    Partition of unity, end points, symmetry, affine invariance, barycentric combinations, parameter
+    transformation, linear precision, pseudo-local maximum (weight i is largest at i/n), and
+    non-negativity, whence the convex hull.
 
     Raises
     ------
@@ -50,6 +55,7 @@ def partition_of_unity(n: int) -> Derivation:
             Step(binomial.base, sp.S.One, "the two terms cancel"),
             Step(total, sp.S.One, "one to any power is one"),
         ),
+        _SOURCE,
     )
 
 
@@ -67,6 +73,7 @@ def end_points(n: int) -> Derivation:
             Step(sp.Subs(curve, t, 0), points[0], "at t = 0 all weights but the first vanish"),
             Step(sp.Subs(curve, t, 1), points[n], "at t = 1 all weights but the last vanish"),
         ),
+        _SOURCE,
     )
 
 
@@ -85,7 +92,7 @@ def symmetry(n: int) -> Derivation:
               for i in range(n + 1)),
             Step(sp.Subs(_curve(weights, points), t, 1 - t), _curve(weights, points[::-1]),
                  "the reversed control points give the same curve, from the other end"),
-        ),
+        ), _SOURCE,
     )  # fmt: skip
 
 
@@ -111,7 +118,50 @@ def affine_invariance(n: int) -> Derivation:
             Step(total, sp.S.One, "the weights sum to one"),
             Step(_curve(weights, mapped), a * _curve(weights, x) + b * _curve(weights, y) + d,
                  "the curve of the mapped points is the mapped curve"),
-        ),
+        ), _SOURCE,
+    )  # fmt: skip
+
+
+def barycentric_combinations(n: int) -> Derivation:
+    """Return the proof that blending two control polygons blends their curves.
+
+    >>> barycentric_combinations(2).is_proved
+    True
+    """
+    weights, a = _weights(n), sp.Symbol("a")
+    p, q = _points(n), sp.symbols(f"Q0:{n + 1}")
+    blended = [a * x + (1 - a) * y for x, y in zip(p, q, strict=True)]
+    because = "sums and factors move out of a sum of weighted points"
+    return Derivation(
+        f"Barycentric combinations, degree {n}",
+        (Step(_curve(weights, blended), a * _curve(weights, p) + (1 - a) * _curve(weights, q),
+              because),), _SOURCE,
+    )  # fmt: skip
+
+
+def parameter_transformation(n: int) -> Derivation:
+    """Return the proof that the same control points over any interval [r, s] give the same curve.
+
+    >>> parameter_transformation(2).is_proved
+    True
+    """
+    r, s = sp.symbols("r s")
+    along = r + (s - r) * t
+    steps = [
+        Step(sp.Subs((t - r) / (s - r), t, along), t, "the share of [r, s] before r + (s - r) t"),
+        Step(sp.Subs((s - t) / (s - r), t, along), 1 - t, "the share of [r, s] after it"),
+    ]
+    for i, weight in enumerate(_weights(n)):
+        over = sp.binomial(n, i) * (t - r) ** i * (s - t) ** (n - i) / (s - r) ** n
+        steps.append(
+            Step(
+                sp.Subs(over, t, along),
+                weight,
+                f"weight {i} over [r, s] at r + (s - r) t is that over [0, 1] at t",
+            )
+        )
+    return Derivation(
+        f"Invariance under affine parameter transformations, degree {n}", tuple(steps), _SOURCE
     )  # fmt: skip
 
 
@@ -133,7 +183,7 @@ def linear_precision(n: int) -> Derivation:
             Step(plus(*terms), t, "t times the weights of one degree less, which sum to one"),
             Step(_curve(weights, spaced), p + t * (q - p),
                  "equally spaced points from P to Q give the segment from P to Q"),
-        ),
+        ), _SOURCE,
     )  # fmt: skip
 
 
@@ -162,7 +212,7 @@ def pseudo_local_maximum(n: int) -> Derivation:
         steps.append(Step(sp.Derivative(weight, t), slope, because))
         largest = sp.Rational(i**i * (n - i) ** (n - i), n**n) * sp.binomial(n, i)
         steps.append(Step(sp.Subs(weight, t, sp.Rational(i, n)), largest, f"its value at {i}/{n}"))
-    return Derivation(f"Weight i is largest at i/n, degree {n}", tuple(steps))
+    return Derivation(f"Weight i is largest at i/n, degree {n}", tuple(steps), _SOURCE)
 
 
 def non_negativity(n: int) -> Derivation:
@@ -182,32 +232,7 @@ def non_negativity(n: int) -> Derivation:
                  f"weight {i} at t = u/(1 + u): no minus sign is left, so it is not negative")
         )  # fmt: skip
         steps.append(Step(sp.Subs(weight, t, 1), sp.Integer(int(i == n)), f"weight {i} at t = 1"))
-    return Derivation(f"Weights are not negative on [0, 1], degree {n}", tuple(steps))
-
-
-def derivatives_from_the_scheme(n: int) -> Derivation:
-    """Return the proof that the last chords of de Casteljau's scheme give the derivatives.
-
-    c'(t) = n (b_1^{n-1} - b_0^{n-1}) and, for n >= 2,
-    c''(t) = n (n - 1)(b_2^{n-2} - 2 b_1^{n-2} + b_0^{n-2}).
-
-    >>> derivatives_from_the_scheme(3).is_proved
-    True
-    """
-    points = _points(n)
-    curve = _curve(_weights(n), points)
-
-    def b(i: int, r: int) -> sp.Expr:
-        return _curve(bernstein(r), points[i : i + r + 1])
-
-    steps = [Step(sp.Derivative(curve, t), n * (b(1, n - 1) - b(0, n - 1)),
-                  f"{n} times the chord between the two points before the last")]  # fmt: skip
-    if n > 1:
-        second = n * (n - 1) * (b(2, n - 2) - 2 * b(1, n - 2) + b(0, n - 2))
-        steps.append(Step(sp.Derivative(curve, (t, 2)), second,
-                          f"{n} times {n - 1} times a second difference, two levels before the last"
-                          ))  # fmt: skip
-    return Derivation(f"Derivatives from de Casteljau's scheme, degree {n}", tuple(steps))
+    return Derivation(f"Weights are not negative on [0, 1], degree {n}", tuple(steps), _SOURCE)
 
 
 PROPERTIES: dict[str, Callable[[int], Derivation]] = {
@@ -215,10 +240,11 @@ PROPERTIES: dict[str, Callable[[int], Derivation]] = {
     "end points": end_points,
     "symmetry": symmetry,
     "affine invariance": affine_invariance,
+    "barycentric combinations": barycentric_combinations,
+    "parameter transformation": parameter_transformation,
     "linear precision": linear_precision,
     "pseudo-local maximum": pseudo_local_maximum,
     "non-negativity": non_negativity,
-    "derivatives from the scheme": derivatives_from_the_scheme,
 }
 
 

@@ -23,6 +23,7 @@ def spline_derivation(
     return Derivation(
         f"The {ends} cubic spline through {len(points)} points",
         (*_interpolates(pieces, points), *_is_smooth(pieces), *_END_STEPS[ends](pieces, slopes)),
+        "de Boor, A Practical Guide to Splines, chapter IV",
     )
 
 

@@ -99,7 +99,7 @@ def runge_phenomenon(n: int) -> Derivation:
             Step(sp.Subs(polynomial, t, middle), value, "but in the middle of the last span"),
             Step(plus(value, -_runge(middle)), value - _runge(middle),
                  "less the function itself: its error there"),
-        ),
+        ), "Runge 1901",
     )  # fmt: skip
 
 

@@ -203,7 +203,8 @@ class BSpline:
         for j in self.knots.spans[1:]:
             steps.extend(multiplicity.continuity_derivation(self.knots, self.knots.knots[j]).steps)
         return Derivation(f"B-splines of degree {self.degree} over {self._knots_in_words()}",
-                          tuple(steps))  # fmt: skip
+                          tuple(steps),
+                          "de Boor, A Practical Guide to Splines, chapter IX")  # fmt: skip
 
     def insertion_derivation(self, t: Any, span: Any = None) -> Derivation:
         """Return Boehm's insertion of t, point by point."""

@@ -103,7 +103,7 @@ def discretization_derivation(knots: KnotVector, m: int) -> Derivation:
                  "Bernstein samples times Bezier points: q = A v and v = B p, so q = A B p"),
             Step(times(whole, ones), sp.ImmutableMatrix([1] * whole.rows),
                  "each row sums to one: samples move along with the control points"),
-        ),
+        ), "Farin, Curves and Surfaces for CAGD",
     )  # fmt: skip
 
 

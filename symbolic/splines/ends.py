@@ -18,6 +18,8 @@ from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, control_points, whole_number
 from ..proofs.derivation import Derivation, Step
 
+_SOURCE = "Farin, Curves and Surfaces for CAGD"
+
 
 def repeat_ends(points: Any, times: int = 3) -> tuple[Point, ...]:
     r"""Return control points with the first and the last one repeated.
@@ -118,7 +120,7 @@ def multiple_vertex_derivation() -> Derivation:
             *inside,
             Step(sp.Derivative(after, t), (p2 - p1) * t**2 / 2,
                  "the tangent vanishes at t = 0: a corner is possible"),
-        ),
+        ), _SOURCE,
     )  # fmt: skip
 
 
@@ -184,6 +186,7 @@ def closed_derivation(count: int = 4, degree: int = 3) -> Derivation:
             )
             for r in range(degree)
         ),
+        _SOURCE,
     )
 
 

@@ -27,7 +27,7 @@ every_derivation = pytest.mark.parametrize(
 @every_derivation
 def test_every_step_is_proved(name, build):
     derivation = build()
-    assert derivation.steps
+    assert derivation.steps and derivation.source
     assert [verdict for verdict in derivation.verify() if not verdict] == []
 
 
