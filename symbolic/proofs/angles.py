@@ -13,11 +13,12 @@ from math import gcd, lcm
 import sympy as sp
 
 from ..dag import postorder, transformed
+from .size import size_multiplied_out
 
 HIGHEST_MULTIPLE = 64
 _FUNCTIONS = (sp.sin, sp.cos, sp.tan, sp.cot, sp.sec, sp.csc)
 _INVERSES = (sp.atan, sp.asin, sp.acos)
-_LARGEST_ARGUMENT = 60  # nodes of an argument that is expanded
+_LARGEST_ARGUMENT = 100  # that is expanded
 
 Pair = tuple[sp.Expr, sp.Expr]  # cosine and sine of one angle
 
@@ -57,9 +58,7 @@ def in_base_angles(expressions: Sequence[sp.Expr]) -> list[sp.Expr]:
 
 def _parts(argument: sp.Expr) -> dict[sp.Expr, sp.Rational]:
     """Return the rational coefficient of every atom in an angle; pi and 1 are atoms too."""
-    if sum(1 for _ in zip(postorder([argument]), range(_LARGEST_ARGUMENT), strict=False)) < (
-        _LARGEST_ARGUMENT
-    ) and not any(n.is_Pow and n.base.is_Add and abs(n.exp) > 4 for n in postorder([argument])):
+    if size_multiplied_out(argument, _LARGEST_ARGUMENT) <= _LARGEST_ARGUMENT:
         argument = sp.expand(argument)
     parts: dict[sp.Expr, sp.Rational] = {}
     for term in sp.Add.make_args(argument):

@@ -8,9 +8,9 @@ from typing import Any
 
 import sympy as sp
 
-from ..errors import shown
 from .generators import Generator, NoNormalForm
 from .normal_form import NormalForms
+from .size import named
 from .verdict import Proved, Undecided, Verdict
 from .witness import (
     Windows,
@@ -67,13 +67,15 @@ def _verdict(
 
 def _names(generators: Sequence[Generator]) -> str:
     unknown = [g for g in generators if g.kind in ("angle", "other")]
-    return ", ".join(sorted(shown(g.expression, 200) for g in unknown))
+    return ", ".join(sorted({named(g.expression) for g in unknown}))
 
 
 def _kind(generators: Sequence[Generator], divides: bool) -> str:
     """Name the structure in which two expressions were compared."""
     roots = [g for g in generators if g.kind == "number" and g.expression is not sp.pi]
-    names = sorted((shown(g.expression, 200) for g in generators if g not in roots), key=len)
+    names = sorted(
+        dict.fromkeys(named(g.expression) for g in generators if g not in roots), key=len
+    )
     if not names:
         return "numbers"
     if len(names) > 6:

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterable
 from dataclasses import dataclass
-from math import comb, prod
 from typing import Any
 
 import sympy as sp
@@ -18,6 +17,7 @@ from ..fields import operands
 from ..radicals import is_radical
 from .elements import HIGHEST_POWER
 from .generators import NoNormalForm
+from .size import size_multiplied_out
 
 CORNERED = (sp.Piecewise, sp.Max, sp.Min, sp.Abs, sp.sign, sp.Heaviside)
 _DEEPEST_LIST = 8
@@ -198,22 +198,7 @@ def _is_low_derivative(node: sp.Derivative, highest: int = _HIGHEST_DERIVATIVE) 
 def _is_polynomial_integral(node: sp.Integral) -> bool:
     if len(node.limits) != 1 or not node.function.is_polynomial(*node.variables):
         return False
-    return _most_terms(node.function) <= _MOST_TERMS
-
-
-def _most_terms(expression: sp.Expr) -> int:
-    """Return a bound for the number of terms that an expression has when it is multiplied out."""
-    terms: dict[int, int] = {}
-    for node in postorder([expression], operands):
-        below = [terms[id(operand)] for operand in operands(node)]
-        if node.is_Mul:
-            terms[id(node)] = min(prod(below), _MOST_TERMS + 1)
-        elif node.is_Pow and below:
-            size, power = below[0], min(abs(int(node.exp)), _MOST_TERMS)
-            terms[id(node)] = min(comb(size + power - 1, power), _MOST_TERMS + 1)
-        else:
-            terms[id(node)] = min(sum(below), _MOST_TERMS + 1) if below else 1
-    return terms[id(expression)]
+    return size_multiplied_out(node.function, _MOST_TERMS) <= _MOST_TERMS
 
 
 _LIMITS: dict[type, Callable[[Any], bool]] = {

@@ -196,6 +196,16 @@ def test_what_would_take_forever_is_undecided(left, right):
     assert isinstance(prove(left, right), Undecided)
 
 
+@pytest.mark.parametrize("grow", [
+    lambda a: a * (1 + a), lambda a: sin(a) + sp.cos(a),
+])  # fmt: skip
+def test_functions_of_what_is_shared_are_neither_multiplied_out_nor_printed(grow):
+    shared = sp.exp(reduce(lambda a, _: grow(a), range(25), t))
+    assert prove(sin(shared) * (x + 1), x * sin(shared) + sin(shared))
+    long = sp.Mul(*(1 + v for v in sp.symbols("v:24"))) + (1 + t) ** x
+    assert isinstance(prove(sin(long), t), Refuted)
+
+
 def test_what_is_nested_too_deeply_is_undecided():
     deep = t
     for _ in range(1000):
