@@ -44,6 +44,16 @@ def postorder(
             stack.extend((argument, False) for argument in reversed(below))
 
 
+def symbols_in(expressions: Iterable[sp.Basic]) -> set[sp.Symbol]:
+    """Return all symbols that occur, each shared node looked at once (`free_symbols` sees a tree).
+
+    >>> x, y = sp.symbols("x y")
+    >>> symbols_in([x + 1, 2 * x]) == {x}
+    True
+    """
+    return {node for node in postorder(expressions) if node.is_Symbol}
+
+
 def substitute(
     expressions: Iterable[sp.Expr], replacements: Mapping[sp.Symbol, sp.Expr]
 ) -> list[sp.Expr]:

@@ -43,11 +43,27 @@ class UnsolvableConstraints(BadValue):
 def shown(value: object, limit: int = 80) -> str:
     """Return a short one-line picture of any value, for error messages.
 
+    Expressions that share their parts would take forever to print: they are only named.
+
     >>> shown("a" * 200, limit=12)
     "'aaaaaaaa..."
     """
+    if _is_long(value):
+        return f"a long {type(value).__name__}"
     text = " ".join(written(value, repr).split())
     return text if len(text) <= limit else text[: limit - 3] + "..."
+
+
+def _is_long(value: object, limit: int = 5000) -> bool:
+    """Tell whether a list or expression has many parts, shared ones counted where they occur."""
+    stack, count = [value], 0
+    while stack and count <= limit:
+        node = stack.pop()
+        parts = node if isinstance(node, list | tuple) else getattr(node, "args", ())
+        if isinstance(parts, list | tuple):
+            stack.extend(parts)
+        count += 1
+    return count > limit
 
 
 def written(value: object, printer: Callable[[Any], str] = str) -> str:

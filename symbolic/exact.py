@@ -10,7 +10,7 @@ from typing import Any
 
 import sympy as sp
 
-from .dag import postorder, substitute
+from .dag import postorder, substitute, symbols_in
 from .errors import BadType, BadValue, NotExact, shown
 
 PARAMETER = sp.Symbol("t")
@@ -106,7 +106,7 @@ def control_points(points: Any) -> tuple[Point, ...]:
     ((0, a),)
     """
     rows = exact_points(points)
-    if any(symbol.name == PARAMETER.name for row in rows for x in row for symbol in x.free_symbols):
+    if any(symbol.name == PARAMETER.name for symbol in symbols_in(x for row in rows for x in row)):
         raise BadValue(
             f"control points without the curve's own parameter {PARAMETER}",
             shown(points),
@@ -141,7 +141,8 @@ def by_name(expression: sp.Expr) -> sp.Expr:
     True
     """
     symbols = [node for node in postorder([expression]) if type(node) is sp.Symbol]
-    return substitute([expression], {symbol: sp.Symbol(symbol.name) for symbol in symbols})[0]
+    plain = {s: sp.Symbol(s.name) for s in symbols if s.is_commutative}  # a matrix stays one
+    return substitute([expression], plain)[0]
 
 
 def as_list(value: Any) -> list[Any] | None:

@@ -6,7 +6,7 @@ from collections.abc import Iterable
 
 import sympy as sp
 
-from .dag import postorder
+from .dag import symbols_in
 
 
 def unused_letter(letters: str, expressions: Iterable[sp.Basic]) -> str:
@@ -16,7 +16,7 @@ def unused_letter(letters: str, expressions: Iterable[sp.Basic]) -> str:
     >>> unused_letter("uvw", [a + u1, v]), unused_letter("uv", [u1*v])
     ('w', 'uu')
     """
-    taken = {node.name for node in postorder(expressions) if node.is_Symbol}
+    taken = {symbol.name for symbol in symbols_in(expressions)}
     times = 1
     while True:
         for letter in letters:

@@ -6,13 +6,16 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from functools import reduce
 from typing import Any
 
 import sympy as sp
+from sympy.polys.densearith import dup_add, dup_mul, dup_pow
 from sympy.polys.domains.domain import Domain
 
+from .dag import postorder, symbols_in
 from .errors import BadValue, shown
-from .fields import common_field
+from .fields import common_field, operands
 
 Coefficients = list[Any]
 
@@ -34,10 +37,26 @@ def polynomials(
     >>> p, zero
     ([1, a, -2], [])
     """
-    found = [_coefficients(e, variable) for e in expressions]
-    field, elements = common_field(c for row in found for c in row)
-    rest = iter(elements)
-    return field, [_stripped([next(rest) for _ in row]) for row in found]
+    listed = list(expressions)
+    nodes = list(postorder(listed, operands))
+    varies: dict[int, bool] = {}
+    for node in nodes:
+        below = operands(node)
+        varies[id(node)] = (
+            any(varies[id(o)] for o in below) if below else variable in symbols_in([node])
+        )
+    inner = [o for node in nodes if varies[id(node)] for o in operands(node)]
+    constants = [node for node in (*listed, *inner) if not varies[id(node)]]
+    field, elements = common_field(constants)
+    values: dict[int, Coefficients] = {
+        id(node): [element] if element else []
+        for node, element in zip(constants, elements, strict=True)
+    }
+    for node in nodes:
+        if varies[id(node)]:
+            below_values = [values[id(o)] for o in operands(node)]
+            values[id(node)] = _coefficients(node, below_values, variable, field)
+    return field, [values[id(e)] for e in listed]
 
 
 def expression(coefficients: Sequence[Any], field: Domain, variable: sp.Expr) -> sp.Expr:
@@ -52,17 +71,17 @@ def expression(coefficients: Sequence[Any], field: Domain, variable: sp.Expr) ->
     )
 
 
-def _coefficients(given: sp.Expr, variable: sp.Symbol) -> list[sp.Expr]:
-    if variable not in given.free_symbols:
-        return [given]
-    try:
-        return list(sp.Poly(given, variable).all_coeffs())
-    except sp.PolynomialError:
-        raise BadValue(
-            f"a polynomial in {variable}", shown(given), "Rational curves have rooms of their own."
-        ) from None
-
-
-def _stripped(row: Coefficients) -> Coefficients:
-    first = next((i for i, c in enumerate(row) if c), len(row))
-    return row[first:]
+def _coefficients(
+    node: sp.Basic, below: list[Coefficients], variable: sp.Symbol, field: Domain
+) -> Coefficients:
+    if node == variable:
+        return [field.one, field.zero]
+    if node.is_Add:
+        return reduce(lambda a, b: list(dup_add(a, b, field)), below)
+    if node.is_Mul:
+        return reduce(lambda a, b: list(dup_mul(a, b, field)), below)
+    if below and node.exp > 0:
+        return list(dup_pow(below[0], int(node.exp), field))
+    raise BadValue(
+        f"a polynomial in {variable}", shown(node), "Rational curves have rooms of their own."
+    )

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import Any
 
-from ..errors import BadType, BadValue, NotExact
+from ..errors import BadType, BadValue, NotExact, shown
 from ..exact import as_list
 from ..proofs.proof import prove_sides
 from ..proofs.side import Side, read_side
@@ -45,7 +45,7 @@ def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None)
     >>> print(check(..., 1).diagnosis)
     Not answered yet: put your answer in place of the dots.
     """
-    right = read_side(expected)
+    right, own = read_side(expected), _read(mistakes)
     if _is_open(answer):
         return Undecided(
             "there is no answer",
@@ -61,7 +61,7 @@ def check(answer: Any, expected: Any, mistakes: Mapping[str, Any] | None = None)
     if isinstance(verdict, Undecided):
         return replace(verdict, diagnosis=f"This could not be decided: {verdict.why}.")
     if isinstance(verdict, Refuted):
-        return replace(verdict, diagnosis=_diagnosis(given, expected, mistakes or {}, verdict))
+        return replace(verdict, diagnosis=_diagnosis(given, expected, own, verdict))
     return replace(verdict, diagnosis="Right.")
 
 
@@ -73,9 +73,22 @@ def _is_open(answer: Any, depth: int = 0) -> bool:
     return any(_is_open(entry, depth + 1) for entry in entries or ())
 
 
-def _diagnosis(given: Side, expected: Any, mistakes: Mapping[str, Any], verdict: Refuted) -> str:
-    for known in (mistakes, typical_mistakes(expected)):
-        found = [sentence for sentence, wrong in known.items() if _equal(given, read_side(wrong))]
+def _read(mistakes: Any) -> dict[str, Side]:
+    """Read the question's own mistakes, whether the answer is wrong or not."""
+    if mistakes is None:
+        return {}
+    if not isinstance(mistakes, Mapping) or not all(isinstance(s, str) for s in mistakes):
+        raise BadType(
+            "mistakes as {sentence: wrong answer}",
+            shown(mistakes),
+            'Write {"You forgot the factor 2.": t}.',
+        )
+    return {sentence: read_side(wrong) for sentence, wrong in mistakes.items()}
+
+
+def _diagnosis(given: Side, expected: Any, mistakes: dict[str, Side], verdict: Refuted) -> str:
+    for known in (mistakes, _read(typical_mistakes(expected))):
+        found = [sentence for sentence, wrong in known.items() if _equal(given, wrong)]
         if len(found) == 1:
             return found[0]
         if found:

@@ -6,9 +6,14 @@ from itertools import permutations
 from typing import Any
 
 import sympy as sp
+from sympy.polys.matrices.exceptions import DMNonInvertibleMatrixError
 
+from ..dag import substitute, symbols_in
+from ..errors import BadValue
 from ..exact import PARAMETER
-from ..proofs.side import read_side
+from ..exact_matrix import dense, inverse, to_matrix
+from ..proofs.generators import NoNormalForm
+from ..proofs.side import evaluated, read_side
 
 
 def typical_mistakes(expected: Any) -> dict[str, Any]:
@@ -29,7 +34,10 @@ def typical_mistakes(expected: Any) -> dict[str, Any]:
         found = _of_matrices(matrix) if square else _of_points(matrix)
         found["All signs are reversed."] = -matrix
     elif size == ():
-        matrix = right.scalars[0]
+        try:  # evaluated, symbols have no assumptions
+            matrix = evaluated(right.scalars[0], keep_operators=False)
+        except NoNormalForm:
+            return {}
         found = _of_expressions(matrix)
     else:
         return {}
@@ -52,9 +60,20 @@ def _of_matrices(matrix: sp.ImmutableMatrix) -> dict[str, Any]:
                 f"The columns are right but stand in another order ({places}); for a basis matrix, "
                 "compare the order of the geometry vector.", matrix[:, list(order)],
             )  # fmt: skip
-    if not matrix.free_symbols and matrix.det() != 0:
-        found["This is the inverse of the matrix asked for."] = matrix.inv()
+    inverted = _inverse(matrix)
+    if inverted is not None:
+        found["This is the inverse of the matrix asked for."] = inverted
     return found
+
+
+def _inverse(matrix: sp.ImmutableMatrix) -> sp.ImmutableMatrix | None:
+    """Return the inverse of a matrix of numbers, if there is one."""
+    try:
+        numbers = dense(matrix.tolist())
+        # Over rational functions an inverse can take long.
+        return None if numbers.domain.is_FractionField else to_matrix(inverse(numbers))
+    except (BadValue, DMNonInvertibleMatrixError):
+        return None
 
 
 def _of_points(points: sp.ImmutableMatrix) -> dict[str, Any]:
@@ -66,8 +85,7 @@ def _of_points(points: sp.ImmutableMatrix) -> dict[str, Any]:
 
 def _of_expressions(expression: sp.Expr) -> dict[str, Any]:
     found = {"The sign is reversed.": -expression}
-    if PARAMETER in expression.free_symbols:
-        found["t and 1 - t are exchanged: at t = 0 you are at the wrong end."] = expression.subs(
-            PARAMETER, 1 - PARAMETER
-        )
+    if PARAMETER in symbols_in([expression]):
+        (mirrored,) = substitute([expression], {PARAMETER: 1 - PARAMETER})
+        found["t and 1 - t are exchanged: at t = 0 you are at the wrong end."] = mirrored
     return found

@@ -8,7 +8,7 @@ from typing import Any
 
 import sympy as sp
 
-from ..dag import substitute
+from ..dag import substitute, symbols_in
 from ..errors import BadType, BadValue, shown
 from ..exact import PARAMETER, as_list, by_name, exact
 from ..proofs.generators import NoNormalForm
@@ -76,7 +76,7 @@ def check_blossom(
     blossom(list(expected), t)  # refuses what is no polynomial
     u = _arguments(given, expected, arguments, t)
     variable = by_name(t)
-    if variable not in u and any(variable in e.free_symbols for e in given):
+    if variable not in u and variable in symbols_in(given):
         renamed = substitute(given, {variable: sp.Symbol(f"{t.name}_1")})
         verdict = prove(renamed, list(given))
         if not verdict:
@@ -147,8 +147,7 @@ def _arguments(
     t: sp.Symbol,
 ) -> list[sp.Symbol]:
     if arguments is None:
-        known = {s for e in expected for s in e.free_symbols} | {by_name(t)}
-        free = {s for e in given for s in e.free_symbols} - known
+        free = symbols_in(given) - symbols_in((*expected, by_name(t)))
         return sorted(free, key=lambda s: (len(s.name), s.name))
     listed = as_list(arguments)
     if listed is None:

@@ -3,7 +3,17 @@
 import pytest
 import sympy as sp
 
-from symbolic import BadType, NotExact, Proved, Refuted, Undecided, bezier, check, hermite
+from symbolic import (
+    BadType,
+    NotExact,
+    Proved,
+    Refuted,
+    Undecided,
+    bezier,
+    check,
+    de_casteljau,
+    hermite,
+)
 
 t = sp.Symbol("t")
 MATRIX = hermite().matrix
@@ -76,3 +86,34 @@ def test_dots_left_inside_an_answer_are_no_answer():
 def test_what_the_author_got_wrong_is_not_blamed_on_the_learner(expected, mistakes):
     with pytest.raises((NotExact, BadType)):
         check(2, expected, mistakes)
+
+
+@pytest.mark.parametrize(
+    "mistakes", [[("You squared.", 4)], {1: 4}, "You squared.", ..., {"": "4"}]
+)
+@pytest.mark.parametrize("answer", [2, 4])
+def test_mistakes_that_cannot_be_read_are_refused_whatever_the_answer(answer, mistakes):
+    with pytest.raises(BadType, match="Expected .*, received .*\\. "):
+        check(answer, 2, mistakes)
+
+
+def test_inverses_of_roots_are_named_where_they_are_short_and_left_out_where_not():
+    roots = sp.Matrix(2, 2, [sp.sqrt(2), 1, 1, sp.sqrt(3)])
+    assert "inverse" in check(roots.inv(), roots).diagnosis
+    equal = sp.Matrix([[1, (1 + sp.sqrt(2)) ** 2], [1, 3 + 2 * sp.sqrt(2)]])  # singular
+    many = sp.Matrix(8, 8, lambda i, j: sp.sqrt(i + 1) + sp.sqrt(j + 2) + int(i == j))
+    for matrix in (equal, many):
+        assert "not the right value" in check(matrix + sp.eye(matrix.rows), matrix).diagnosis
+
+
+@pytest.mark.parametrize("expected", [
+    sp.Symbol("t", positive=True), sp.Derivative(t**2 / 2, t),
+    sp.Integral(1, (sp.Symbol("s"), 0, t)),
+])  # fmt: skip
+def test_the_wrong_end_is_named_in_whatever_form_the_right_answer_comes(expected):
+    assert "wrong end" in check(1 - t, expected).diagnosis
+
+
+def test_a_deep_right_answer_is_walked_once():
+    (curve,) = de_casteljau([[y] for y in sp.symbols("y0:25")], t)[-1][0]
+    assert "not the right value" in check(curve + 1, curve).diagnosis

@@ -26,6 +26,7 @@ from symbolic import (
     prove,
     reduce_degree,
     restrict,
+    subdivide,
 )
 
 t, a, b, c = sp.symbols("t a b c")
@@ -229,3 +230,28 @@ def test_bad_input_is_refused_in_a_sentence(call, error):
 def test_control_points_of_a_polynomial_lead_back_to_it():
     p = polynomial_to_bezier([t**3 - a * t, 2], t)
     assert prove(bezier(3).curve(p), [t**3 - a * t, 2])
+
+
+@pytest.mark.parametrize("symbolic", [False, True])
+def test_shared_points_of_high_degree_are_walked_once(symbolic):
+    values = sp.symbols("y0:25") if symbolic else [k**2 % 7 for k in range(25)]
+    points = tuple((y,) for y in values)
+    (curve,) = de_casteljau(points, t)[-1][0]
+    if not symbolic:
+        found = polynomial_to_bezier(curve)
+        assert found == points
+    left, _ = subdivide(points, a)  # free_symbols would see a tree of 2^25 nodes
+    lengths = [len(hodograph(left)), len(elevate_degree(left))]
+    assert lengths == [24, 26]
+    left, _ = subdivide(points, t)
+    with pytest.raises(BadValue, match="received a long tuple"):
+        hodograph(left)
+
+
+@pytest.mark.parametrize("expression", [
+    1 / t, sp.sqrt(t), sp.sin(t), t**a, 2**t, (t**2 + t) / t, 1 / sp.Add(t, -t, evaluate=False),
+    sp.Derivative(t**2, t),
+])  # fmt: skip
+def test_what_is_no_polynomial_is_refused(expression):
+    with pytest.raises(BadValue, match="Expected a polynomial in t, received"):
+        blossom(a * expression + 1)
