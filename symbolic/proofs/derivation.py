@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+import re
+from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
@@ -79,7 +80,8 @@ def _latex(side: Any) -> str:
 
 def _reason(verdict: Verdict) -> str:
     """Return what a verdict says after its name."""
-    return str(replace(verdict, diagnosis="")).partition(": ")[2].rstrip(".")
+    place = f"in {verdict.where} " if isinstance(verdict, Refuted) and verdict.where else ""
+    return place + str(verdict).partition(": ")[2].rstrip(".")
 
 
 @dataclass(frozen=True, repr=False)
@@ -110,8 +112,8 @@ class Derivation:
 
     @property
     def is_proved(self) -> bool:
-        """Whether every single step is proved."""
-        return all(self.verify())
+        """Whether every single step is proved, and there is one."""
+        return bool(self.steps) and all(self.verify())
 
     @property
     def heading(self) -> str:
@@ -119,6 +121,7 @@ class Derivation:
         source = f" [{self.source}]" if self.source else ""
         count = sum(not verdict for verdict in self.verify())
         warning = f" (NOT PROVED: {count} of {len(self.steps)} steps fail)" if count else ""
+        warning = warning if self.steps else " (NOT PROVED: it has no steps)"
         return f"{self.title}{source}{warning}"
 
     def __str__(self) -> str:
@@ -139,6 +142,17 @@ class Derivation:
 
 
 def _escaped(text: str) -> str:
-    special = {"\\": r"\backslash ", "$": r"\$", "%": r"\%", "&": r"\&", "#": r"\#", "_": r"\_"}
-    special |= {"{": r"\{", "}": r"\}", "^": r"\wedge ", "~": r"\sim "}
-    return "".join(special.get(character, character) for character in text)
+    r"""Return words for \text: MathJax takes \$, \{, \} and formulas there, nothing else.
+
+    >>> _escaped("50% of C^2 in P_0")
+    '50$\\%$ of C$^{2}$ in P$\\_$0'
+    """
+    special = {"$": r"\$", "{": r"\{", "}": r"\}", "^": r"$\wedge$", "~": r"$\sim$"}
+    special |= {"\\": r"$\backslash$", **{c: rf"$\{c}$" for c in "%&#_"}}
+    parts = _POWER.split(text)  # words and exponents in turn
+    words = ["".join(special.get(c, c) for c in part) for part in parts[::2]]
+    exponents = [f"$^{{{exponent}}}$" for exponent in parts[1::2]]
+    return "".join(w + e for w, e in zip(words, [*exponents, ""], strict=True))
+
+
+_POWER = re.compile(r"\^([A-Za-z0-9]+|-[0-9]+)")

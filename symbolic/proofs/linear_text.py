@@ -11,7 +11,8 @@ from sympy.printing.str import StrPrinter
 from ..errors import written
 from ..exact import as_list
 
-_RELATIONS = {"<=": "at most", ">=": "at least", "<": "less than", ">": "greater than"}
+_RELATIONS = {"<=": "at most", ">=": "at least", "<": "less than", ">": "greater than",
+              "==": "equal to", "!=": "different from"}  # fmt: skip
 
 
 def linear_text(side: Any) -> str:
@@ -103,7 +104,7 @@ def _condition(condition: Any) -> str:
         return word.join(map(_condition, condition.args))
     words = _RELATIONS.get(getattr(condition, "rel_op", ""))
     if words is None:
-        return str(condition)
+        return written(condition)
     return f"{linear_text(condition.lhs)} is {words} {linear_text(condition.rhs)}"
 
 

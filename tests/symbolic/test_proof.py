@@ -154,6 +154,8 @@ def test_pieces_are_shown_in_both_forms():
     assert step.verify()
     assert str(step).startswith("t if t is at least 0 and t is less than 1, 2 - t if ")
     assert r"\begin{cases}" in step._repr_latex_()
+    point = sp.Piecewise((1, sp.Eq(t, 1)), (2, sp.Ne(t, 2)))
+    assert str(Step(point, 1, "")).startswith("1 if t is equal to 1, 2 if t is different from 2 is")
 
 
 def test_errors_survive_pickling():
@@ -239,3 +241,23 @@ def test_huge_numbers_are_told_by_their_size():
         step = Step(left, x * huge, "size")
         for text in (str(step), repr(step.verdict), step._repr_latex_()):
             assert "digits" in text
+
+
+def test_a_step_says_where_a_matrix_differs():
+    step = Step([[1, 2], [3, x]], [[1, 2], [3, 5]], "hope")
+    for text in (str(step), step._repr_latex_()):
+        assert "in row 2, column 2 at x = 0 the left side is 0" in text
+
+
+def test_words_in_latex_are_what_was_written():
+    """MathJax shows backslashes in words, except before dollars and braces."""
+    title, reason = "100% of C^2 & {P_0} # ~", r"(1 - t)^n, P_0^-1 and a \ b for 5$"
+    latex = Derivation(title, (Step(x, sp.Symbol("P_0"), reason),))._repr_latex_()
+    assert r"\textbf{100$\%$ of C$^{2}$ $\&$ \{P$\_$0\} $\#$ $\sim$ (NOT" in latex
+    assert r"1. (1 - t)$^{n}$, P$\_$0$^{-1}$ and a $\backslash$ b for 5\$:" in latex
+    assert r"at P$\_$0 = 1, x = 0" in latex
+
+
+def test_a_derivation_without_steps_proves_nothing():
+    empty = Derivation("Nothing", ())
+    assert not empty.is_proved and "NOT PROVED" in str(empty)
