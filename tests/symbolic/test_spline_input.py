@@ -63,7 +63,7 @@ CALLS = {
         lambda: BSpline(range(6), 2).de_boor(POINTS[:3], 1), OutsideDomain, "2, 3"),
     "an integral too far": (lambda: SPLINE.integral(POINTS, 0, 3), OutsideDomain, r"\[0, 2\]"),
     "a float parameter": (lambda: SPLINE.de_boor(POINTS, 0.5), NotExact, r"Rational\(1, 2\)"),
-    "a symbol without a span": (lambda: SPLINE.de_boor(POINTS, t), BadValue, "index of a span"),
+    "a symbol without a span": (lambda: SPLINE.de_boor(POINTS, t), BadValue, "Say in which span"),
     "an empty span": (lambda: SPLINE.span_matrix(1), BadValue, "2, 3, received 1"),
     "a span outside": (lambda: SPLINE.de_boor(POINTS, t, 4), BadValue, "2, 3, received 4"),
     "a span as text": (lambda: SPLINE.triangle("2"), BadValue, "2, 3"),
