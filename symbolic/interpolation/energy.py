@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from functools import lru_cache
+from itertools import pairwise
 
 import sympy as sp
 
@@ -72,21 +74,30 @@ def minimum_acceleration(spline: InterpolatingSpline) -> Derivation:
 
 def _of_coordinate(spline: InterpolatingSpline, axis: int) -> list[Step]:
     name = f"coordinate {axis + 1}: " if len(spline.points[0]) > 1 else ""
-    moments = [row[axis] for row in spline.accelerations]
+    given = [row[axis] for row in spline.accelerations]
+    if spline.ends == "periodic":
+        given[-1] = given[0]  # equal, though perhaps not written so
     d, e = _freedoms(spline)
+    # What holds for all moments and gaps holds for these; with roots integrals would be unreadable.
+    letters = [unused_letter(letters, (*d, *e, *_data(spline))) for letters in ("Mm", "hl")]
+    moments = _named(given, letters[0])
+    gaps = _named([b - a for a, b in pairwise(spline.knots)], letters[1])
     steps: list[Step] = []
     of_s, mixed, of_g = [], [], []
-    for i, piece in enumerate(spline.pieces):
-        gap = piece.end - piece.start
+    for i, (piece, gap) in enumerate(zip(spline.pieces, gaps, strict=True)):
         of_s.append(energy_of_span(gap, moments[i], moments[i + 1]))
         mixed.append(moments[i + 1] * d[i + 1] - moments[i] * d[i])
         of_g.append(_energy_of_g(gap, d[i : i + 2], e[i : i + 2]))
         bend = _acceleration(gap, d[i : i + 2], e[i : i + 2])
         line = moments[i] + (moments[i + 1] - moments[i]) * t / gap
-        (moved,) = substitute([line], {t: t - piece.start})
+        actual = {moments[i]: given[i], moments[i + 1]: given[i + 1], gap: piece.end - piece.start}
+        renamed = {x: value for x, value in actual.items() if x != value}
+        (moved,) = substitute([line], {t: t - piece.start, **renamed})
         span = f"{name}span {i + 1}: "
+        values = ", ".join(f"{x} = {value}" for x, value in renamed.items())
         steps += [
-            Step(sp.Derivative(piece.coordinates[axis], (t, 2)), moved, span + "s'' is linear"),
+            Step(sp.Derivative(piece.coordinates[axis], (t, 2)), moved,
+                 span + "s'' is linear" + (f"; from here on {values}" if values else "")),
             Step(_integral(line**2, gap), of_s[i],
                  span + "the energy of s; t is counted from the start of the span"),
             Step(_integral(line * bend, gap), mixed[i],
@@ -105,8 +116,7 @@ def _of_coordinate(spline: InterpolatingSpline, axis: int) -> list[Step]:
 
 def _freedoms(spline: InterpolatingSpline) -> tuple[list[sp.Expr], list[sp.Expr]]:
     """Return slopes and second derivatives of g at the knots, as its end conditions leave them."""
-    count = len(spline.knots)
-    data = [*spline.knots, *(x for row in (*spline.points, *spline.slopes) for x in row)]
+    count, data = len(spline.knots), _data(spline)
     d, e = (
         list(sp.symbols(f"{unused_letter(letters, data)}0:{count}")) for letters in ("dv", "ew")
     )
@@ -115,6 +125,17 @@ def _freedoms(spline: InterpolatingSpline) -> tuple[list[sp.Expr], list[sp.Expr]
     if spline.ends == "periodic":
         d[-1], e[-1] = d[0], e[0]
     return d, e
+
+
+def _data(spline: InterpolatingSpline) -> list[sp.Expr]:
+    rows = (*spline.points, *spline.slopes)
+    return [*spline.knots, *(coordinate for row in rows for coordinate in row)]
+
+
+def _named(values: Sequence[sp.Expr], letter: str) -> list[sp.Expr]:
+    """Return rational numbers as they are, and one symbol for each other value."""
+    names = {value: sp.Symbol(f"{letter}{i}") for i, value in reversed(list(enumerate(values)))}
+    return [value if value.is_Rational else names[value] for value in values]
 
 
 def _acceleration(gap: sp.Expr, d: list[sp.Expr], e: list[sp.Expr]) -> sp.Expr:

@@ -132,6 +132,18 @@ def test_roots_in_points_and_knots(ends, tangents):
     assert spline.derivation.is_proved
 
 
+@pytest.mark.parametrize("ends", ["natural", "clamped", "periodic"])
+@pytest.mark.parametrize("knot", [sp.sqrt(2), sp.cbrt(2), a])
+def test_k12_holds_for_roots_and_symbols_in_short_lines(ends, knot):
+    tangents = [[sp.sqrt(3)], [1]] if ends == "clamped" else None
+    proof = minimum_acceleration(
+        interpolating_spline([[0], [1], [0]], [0, knot, 8], ends, tangents)
+    )
+    integrals = [str(s.left) for s in proof.steps if isinstance(s.left, sp.Integral)]
+    assert proof.is_proved and "h0" in integrals[0]
+    assert not any("sqrt" in text or "2**(" in text for text in integrals)
+
+
 def test_roots_and_symbols_stay_exact():
     spline = interpolating_spline([[0], [sp.sqrt(2)], [sp.Symbol("y")]], [0, 1, sp.Symbol("u")])
     assert spline.derivation.is_proved
