@@ -56,7 +56,9 @@ def _without_operators(given: Pair) -> list[sp.Expr]:
         sides = [evaluated(side, keep_operators=False) for side in given]
     except NoNormalForm:
         return []
-    bound = any(isinstance(node, sp.Derivative | sp.Subs) for node in postorder(sides))
+    bound = any(
+        isinstance(node, sp.Derivative | sp.Subs | sp.Integral) for node in postorder(sides)
+    )
     return [] if bound else sides
 
 

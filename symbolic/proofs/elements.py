@@ -154,6 +154,18 @@ def differentiated(element: Any, position: int) -> Any:
     return divided(top, power(denom[0], 2, {}))
 
 
+def integrated(element: Any, position: int) -> Any:
+    """Return the antiderivative by one generator, zero at zero, of what is a polynomial in it."""
+    numer, *denom = parts(element)
+    raised = {}
+    for monomial, coefficient in numer.items():
+        power_of_it = monomial[position] + 1
+        key = (*monomial[:position], power_of_it, *monomial[position + 1 :])
+        raised[key] = coefficient / power_of_it
+    antiderivative = numer.ring.from_dict(raised)
+    return divided(antiderivative, denom[0]) if denom else antiderivative
+
+
 def _one(element: Any) -> Any:
     return element.numer.ring.one if hasattr(element, "numer") else element.ring.one
 

@@ -10,7 +10,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from functools import lru_cache
-from operator import add
+from operator import add, mul
 from typing import Any
 
 import sympy as sp
@@ -22,9 +22,19 @@ from ..errors import shown
 from ..fields import operands
 from ..radicals import is_radical, plain_roots, prime_roots
 from .angles import in_base_angles
-from .elements import composed, differentiated, divided, folded, plain, power, reduced
+from .elements import (
+    composed,
+    differentiated,
+    divided,
+    folded,
+    integrated,
+    plain,
+    power,
+    reduced,
+    used,
+)
 from .generators import Generators, NoNormalForm, is_root
-from .side import is_operator
+from .side import is_operator, operator_arguments
 
 HIGHEST_ORDER = 32  # of derivatives of quotients
 
@@ -127,6 +137,8 @@ class NormalForms:
             return self._derivative(node, below[0])
         if isinstance(node, sp.Subs):
             return self._substituted(node, below[0], below[1:])
+        if isinstance(node, sp.Integral):
+            return self._integral(node, below[0], *below[1:])
         if is_root(node):
             return self._root(node, below[0])
         return power(below[0], int(node.exp), self._relations)
@@ -187,6 +199,15 @@ class NormalForms:
                 element = differentiated(element, position)
         return element
 
+    def _integral(self, node: sp.Integral, element: Any, start: Any, end: Any) -> Any:
+        position = self.generators.position.get(node.variables[0])
+        if position is None:
+            return reduced(folded(mul, [element, end - start]), self._relations)
+        if any(position in used(divisor) for divisor in self._divisors([node.function])):
+            raise NoNormalForm("an integral of no polynomial is not understood")
+        whole = integrated(element, position)
+        return self._at(whole, {position: end}) - self._at(whole, {position: start})
+
     def _substituted(self, node: sp.Subs, element: Any, points: Sequence[Any]) -> Any:
         at = {
             self.generators.position[variable]: point
@@ -212,7 +233,7 @@ def _operands(node: sp.Basic) -> tuple[sp.Basic, ...]:
     if is_root(node):
         return (node.base,)
     if is_operator(node):
-        return (node.expr, *node.point) if isinstance(node, sp.Subs) else (node.expr,)
+        return operator_arguments(node)
     return operands(node)
 
 

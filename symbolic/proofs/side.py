@@ -50,7 +50,7 @@ def read_side(value: Any) -> Side:
 
 
 def _read(value: Any, depth: int) -> Side:
-    if isinstance(value, sp.MatrixExpr):
+    if isinstance(value, sp.MatrixExpr) and not isinstance(value, sp.MatrixBase):
         value = _explicit(value)
     entries = as_list(value)
     if entries is None:
@@ -72,8 +72,10 @@ def _scalar(value: Any) -> sp.Expr:
 
 def _explicit(value: sp.MatrixExpr) -> sp.MatrixBase:
     try:
-        value = value.doit()  # multiplies explicit matrices, far faster than as_explicit
-        return value if isinstance(value, sp.MatrixBase) else value.as_explicit()
+        # Multiplies explicit matrices, far faster than as_explicit, and leaves their entries alone.
+        flat = value.doit(deep=False)
+        whole = flat if isinstance(flat, sp.MatrixBase) else value.doit()
+        return whole if isinstance(whole, sp.MatrixBase) else whole.as_explicit()
     except (MatrixError, ValueError, TypeError) as reason:
         raise BadType(
             "a matrix of known size that can be evaluated",
@@ -150,18 +152,20 @@ def has_corners(expressions: Iterable[sp.Basic]) -> bool:
 
 
 def is_operator(node: sp.Basic) -> bool:
-    """Tell whether a node is a derivative or substitution in a rational function of symbols."""
+    """Tell whether a node is a derivative, integral or substitution in a rational function."""
     if isinstance(node, sp.Derivative):
         inside, variables = [node.expr], node.variables
         if not _is_low_derivative(node, HIGHEST_POWER):
             return False
     elif isinstance(node, sp.Subs):
         inside, variables = [node.expr, *node.point], node.variables
+    elif isinstance(node, sp.Integral) and [len(limits) for limits in node.limits] == [3]:
+        inside, variables = [node.function, *node.limits[0][1:]], node.variables
     else:
         return False
     return all(variable.is_Symbol for variable in variables) and all(
         below.is_Rational or below.is_Symbol or operands(below) or is_radical(below)
-        or isinstance(below, sp.Derivative | sp.Subs)
+        or isinstance(below, sp.Derivative | sp.Subs | sp.Integral)
         for below in postorder(inside, _inside)
     )  # fmt: skip
 
@@ -178,10 +182,17 @@ def _is_one_substitution(node: sp.Subs) -> bool:
     )
 
 
+def operator_arguments(node: sp.Basic) -> tuple[sp.Basic, ...]:
+    """Return what an operator works on, and after it the points or limits put in."""
+    if isinstance(node, sp.Integral):
+        return (node.function, *node.limits[0][1:])
+    return (node.expr, *node.point) if isinstance(node, sp.Subs) else (node.expr,)
+
+
 def _inside(node: sp.Basic) -> tuple[sp.Basic, ...]:
-    if isinstance(node, sp.Derivative):
-        return (node.expr,)
-    return (node.expr, *node.point) if isinstance(node, sp.Subs) else operands(node)
+    if isinstance(node, sp.Derivative | sp.Subs | sp.Integral):
+        return operator_arguments(node)
+    return operands(node)
 
 
 def _is_short_sum(node: sp.Sum | sp.Product) -> bool:

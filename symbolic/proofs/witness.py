@@ -119,6 +119,9 @@ def free_symbols(expressions: Sequence[sp.Expr]) -> list[sp.Symbol]:
         if isinstance(node, sp.Subs):
             inside = found[id(node.expr)] - set(node.variables)
             below = inside.union(*(found[id(p)] for p in node.point.args))
+        if isinstance(node, sp.Integral):
+            limits = [found[id(limit)] for each in node.limits for limit in each.args[1:]]
+            below = (found[id(node.function)] - set(node.variables)).union(*limits)
         found[id(node)] = frozenset([node]) if node.is_Symbol else below
     return sorted(frozenset().union(*(found[id(e)] for e in expressions)), key=str)
 
