@@ -11,6 +11,7 @@ from dataclasses import dataclass, replace
 from itertools import combinations
 
 import sympy as sp
+from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
 from sympy.logic.boolalg import And, BooleanFalse, BooleanTrue, Not, Or
 
@@ -183,7 +184,10 @@ def _resolved(
     sign_of: SignOf,
     at: tuple[sp.Symbol, sp.Expr] | None,
 ) -> sp.Expr | None:
-    """Return a side with all these nodes replaced by their values; None if it is undefined."""
+    """Return a side with all these nodes replaced by their values; None if it is undefined.
+
+    What may be undefined is kept, times zero, where SymPy drops it, as in 0*(1/x) or 1/x - 1/x.
+    """
 
     def arguments(node: sp.Basic) -> tuple[sp.Basic, ...]:
         if isinstance(node, _WITH_BOUND_SYMBOLS):
@@ -194,6 +198,8 @@ def _resolved(
         return (chosen[1],) if chosen else ()
 
     new: dict[int, sp.Basic | None] = {}
+    doubtful: dict[int, frozenset[sp.Basic]] = {}  # parts of the old nodes' new values
+    dropped: dict[sp.Basic, None] = {}
     for node in postorder([side], arguments):
         below = [new[id(argument)] for argument in arguments(node)]
         if any(value is None for value in below):
@@ -210,10 +216,35 @@ def _resolved(
             same = all(a is b for a, b in zip(below, node.args, strict=True))
             value = node if same else node.func(*below)
             new[id(node)] = None if value in _UNDEFINED else value
-    return new[id(side)]
+        before = frozenset().union(*(doubtful[id(argument)] for argument in arguments(node)))
+        value = new[id(node)]
+        if value is not None and (before or may_be_undefined(value)):
+            after = frozenset(n for n in postorder([value]) if may_be_undefined(n))
+            if node.is_Add or node.is_Mul:
+                dropped |= dict.fromkeys(before - after)
+            doubtful[id(node)] = after
+        else:
+            doubtful[id(node)] = before
+    result = new[id(side)]
+    if result is None or not dropped:
+        return result
+    kept = (sp.Mul(0, part, evaluate=False) for part in sorted(dropped, key=sp.default_sort_key))
+    return sp.Add(result, *kept, evaluate=False)
 
 
 _WITH_BOUND_SYMBOLS = (sp.Derivative, sp.Subs, sp.Limit)  # left where functions are not known
+
+
+def may_be_undefined(node: sp.Basic) -> bool:
+    """Tell whether a node may have no value though all its arguments have one."""
+    if node.is_Pow:
+        return not node.exp.is_nonnegative
+    if isinstance(node, sp.Piecewise):
+        return node.args[-1].cond != sp.true
+    return isinstance(node, sp.Function) and not isinstance(node, _DEFINED_EVERYWHERE)
+
+
+_DEFINED_EVERYWHERE = (sp.sin, sp.cos, sp.exp, AppliedUndef, *CORNERED)
 _UNDEFINED = (sp.nan, sp.zoo, sp.oo, -sp.oo)
 
 
