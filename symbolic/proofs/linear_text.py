@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from collections.abc import Callable
 from typing import Any
 
@@ -19,8 +20,8 @@ def linear_text(side: Any) -> str:
     """Return a side of an equality as one line: products without stars, matrices by rows.
 
     >>> t, n, i = sp.symbols("t n i")
-    >>> linear_text(3*t**2*(1 - t)/2)
-    '3 t^2 (1 - t)/2'
+    >>> linear_text(3*t**2*(1 - t)/2), linear_text(sp.Mul(1 - t, 2, 3, evaluate=False))
+    ('3 t^2 (1 - t)/2', '(1 - t) times 2 times 3')
     >>> linear_text(sp.Subs(sp.Derivative(t**2, t), t, 1))
     'd/dt (t^2) at t = 1'
     >>> linear_text(sp.ImmutableMatrix([[1, t], [0, 1]]))
@@ -43,7 +44,8 @@ def _spoken(expression: Any) -> str:
         # SymPy's printers look their methods up by the name of the class.
         setattr(printer, f"_print_{kind}", _within(printer, words))
     text = written(expression, printer.doprint)
-    return text.replace("**", "^").replace("*", " ")
+    powers = text.replace("**", "^")
+    return re.sub(r"\*(?=-?\d)", " times ", powers).replace("*", " ")
 
 
 def _within(printer: Any, words: Callable[[Any], str]) -> Callable[[Any], str]:

@@ -27,13 +27,13 @@ def arc(cosine: Any, center: Any = (0, 0), radius: Any = 1) -> RationalBezier:
     ----------
     cosine : rational number or one with square roots, -1 < cosine < 1
     center : two coordinates
-    radius : positive number
+    radius : positive number; a symbol is taken to be
 
     Raises
     ------
     BadValue
-        For a cosine out of range, a radius that is not positive, and a sine that is not made of
-        simple roots.
+        For a cosine out of range, a radius that is not positive, and a sine with roots of too high
+        a degree together.
 
     Examples
     --------
@@ -47,12 +47,12 @@ def arc(cosine: Any, center: Any = (0, 0), radius: Any = 1) -> RationalBezier:
             shown(cosine),
             "Put longer arcs together from shorter ones.",
         )
-    if sign(r) != 1:
+    if sign(r) in (-1, 0):
         raise BadValue("a positive radius", shown(radius), "Use a number such as 1.")
     sine = _root(1 - c**2)
     if sine is None:
         raise BadValue(
-            "a cosine whose sine is made of rational numbers and simple roots",
+            "a cosine whose sine is made of rational numbers and a few roots",
             shown(cosine),
             "Angles like 30, 45, 60 and 90 degrees, and all rational cosines, are exact.",
         )
