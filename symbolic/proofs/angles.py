@@ -56,6 +56,28 @@ def in_base_angles(expressions: Sequence[sp.Expr]) -> list[sp.Expr]:
     return transformed(expressions, change)
 
 
+def given_divisors(expression: sp.Expr) -> list[sp.Expr]:
+    """Return what an expression divides by, also in its tangents and their like.
+
+    >>> x = sp.Symbol("x")
+    >>> given_divisors(sp.tan(2*x) / x)
+    [x, cos(2*x)]
+    """
+    found = []
+    for node in postorder([expression], _outside_of_operators):
+        if node.is_Pow and node.exp.is_Rational and node.exp.is_negative:
+            found.append(node.base)
+        elif isinstance(node, sp.tan | sp.sec):
+            found.append(sp.cos(node.args[0]))
+        elif isinstance(node, sp.cot | sp.csc):
+            found.append(sp.sin(node.args[0]))
+    return [divisor for divisor in dict.fromkeys(found) if not divisor.is_Rational]
+
+
+def _outside_of_operators(node: sp.Basic) -> tuple[sp.Basic, ...]:
+    return () if isinstance(node, sp.Derivative | sp.Subs | sp.Integral) else node.args
+
+
 def _parts(argument: sp.Expr) -> dict[sp.Expr, sp.Rational]:
     """Return the rational coefficient of every atom in an angle; pi and 1 are atoms too."""
     if size_multiplied_out(argument, _LARGEST_ARGUMENT) <= _LARGEST_ARGUMENT:

@@ -49,6 +49,8 @@ def _verdict(
     leaves = forms.leaves(*places)
     independent = forms.generators.are_independent(leaves)
     generators = [forms.generators.listed[i] for i in sorted(leaves)]
+    if not all(divisors):
+        return Undecided("a denominator is identically zero")
     if not difference:
         if independent or is_somewhere_defined(sides, windows):
             return Proved(_kind(generators, bool(divisors)))

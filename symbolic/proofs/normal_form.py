@@ -21,7 +21,7 @@ from ..dag import postorder
 from ..errors import shown
 from ..fields import operands
 from ..radicals import is_radical, plain_roots, prime_roots
-from .angles import in_base_angles
+from .angles import given_divisors, in_base_angles
 from .elements import (
     composed,
     differentiated,
@@ -49,9 +49,14 @@ class NormalForms:
     """
 
     def __init__(self, expressions: Iterable[sp.Expr]) -> None:
-        self._roots = in_base_angles(plain_roots(expressions))
-        self._nodes = list(postorder(self._roots, _operands))
-        self._divides = any(map(_divides, self._nodes))
+        # Rewriting lets divisors vanish, as in tan(x)*cot(x): they are written down before.
+        roots = list(expressions)
+        given = [given_divisors(root) for root in roots]
+        rewritten = in_base_angles(plain_roots([*roots, *(d for row in given for d in row)]))
+        self._roots, rest = rewritten[: len(roots)], iter(rewritten[len(roots) :])
+        self._given_divisors = [[next(rest) for _ in row] for row in given]
+        self._nodes = list(postorder(rewritten, _operands))
+        self._divides = any(given) or any(map(_divides, self._nodes))
         more: list[sp.Expr] = []
         while not self._computed(more):
             pass
@@ -87,12 +92,16 @@ class NormalForms:
         """Return everything by which is divided in the expressions at these places."""
         if not self._divides:
             return []
-        return self._divisors([self._roots[place] for place in places])
+        return self._divisors(self._all_of(places)) + [
+            reduced(self._known(divisor), self._relations)
+            for place in places
+            for divisor in self._given_divisors[place]
+        ]
 
     def leaves(self, *places: int) -> set[int]:
         """Return the positions of all generators from which these expressions are built."""
         found = set()
-        for node in postorder([self._roots[place] for place in places], _operands):
+        for node in postorder(self._all_of(places), _operands):
             if is_root(node):
                 found.add(self.generators.of_root(node))
             elif is_radical(node):
@@ -109,6 +118,10 @@ class NormalForms:
                 found.append(reduced(self._known(node.base), self._relations))
             found += self._divisors_at_points.get(id(node), [])
         return found
+
+    def _all_of(self, places: Iterable[int]) -> list[sp.Expr]:
+        """Return the expressions at these places, and what they are divided by."""
+        return [e for place in places for e in (self._roots[place], *self._given_divisors[place])]
 
     def _bind_known_roots(self) -> None:
         one, gens = self._ring.one, self._ring.gens

@@ -290,6 +290,7 @@ n, positive = Symbol("n", integer=True), Symbol("p", positive=True)
     (sp.Symbol("A", commutative=False) * sp.Symbol("B", commutative=False),
      sp.Symbol("B", commutative=False) * sp.Symbol("A", commutative=False)),
     (sp.IndexedBase("x")[sp.Idx("i")] * 2, 0),
+    ((-1) ** Rational(1, 3) / NULL - (Rational(1, 2) + sqrt(3) * I / 2) / NULL, 0),
     # nowhere defined, though at t = 0 it is multiplied by zero
     (Abs(t) * NOWHERE, x),
     (Abs(t) / ((x - 1) * (x + 1) - x**2 + 1), x),
@@ -320,6 +321,10 @@ def test_functions_that_are_not_known_are_generators(left, right):
     (sp.expand(ZERO + t) / (ZERO + t), 2),
     (sign(t) / x, step((1 / x, t > 0), (-1 / x, t < 0), (1, True))),
     (Heaviside(t) * log(x) + t, t),
+    (tan(x) * cot(x), 2),
+    (tan(x) * cot(x) * t, 2 * t),
+    (sp.csc(2 * x) - 1 / (2 * sin(x) * cos(x)), 1),
+    ((-1) ** Rational(1, 3) / x - (Rational(1, 2) + sqrt(3) * I / 2) / x, 1),
     (t * Subs(1 / x, x, t), 2),
     (Subs(x / x**2, x, sin(t)) * sin(t), 2),
     (positive * (positive - 1), 0),
