@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -82,9 +82,22 @@ def check_blossom(
         if not verdict:
             return replace(verdict, diagnosis=_not_polar(given, expected, t))
         given = tuple(renamed)  # it cancels
+    return _by_axioms(_claims(given, expected, u, variable))
+
+
+_AXIOMS = {
+    "Not multi-affine": "the first axiom, multi-affine",
+    "Not symmetric": "the second axiom, symmetric",
+    "Wrong diagonal": "the third axiom, the diagonal",
+}
+_RIGHT = "Proved: multi-affine, symmetric, and on the diagonal the polynomial: this is the blossom."
+
+
+def _by_axioms(claims: Iterable[tuple[str, str, list[sp.Expr], list[sp.Expr]]]) -> Verdict:
+    """Sum up the verdicts on all claims: what is refuted first, then what is not known."""
     failures: dict[str, Refuted] = {}
     undecided: Undecided | None = None
-    for axiom, sentence, left, right in _claims(given, expected, u, variable):
+    for axiom, sentence, left, right in claims:
         if axiom in failures:
             continue
         verdict = prove(left, right)
@@ -99,14 +112,6 @@ def check_blossom(
         diagnosis = " ".join(refuted.diagnosis for refuted in failures.values())
         return replace(next(iter(failures.values())), diagnosis=diagnosis)
     return replace(verdict, diagnosis=_RIGHT) if undecided is None else undecided
-
-
-_AXIOMS = {
-    "Not multi-affine": "the first axiom, multi-affine",
-    "Not symmetric": "the second axiom, symmetric",
-    "Wrong diagonal": "the third axiom, the diagonal",
-}
-_RIGHT = "Proved: multi-affine, symmetric, and on the diagonal the polynomial: this is the blossom."
 
 
 def _not_polar(given: Sequence[sp.Expr], expected: Sequence[sp.Expr], t: sp.Symbol) -> str:
