@@ -80,7 +80,7 @@ def chain_rows(betas: Sequence[Any], field: Domain) -> Rows:
 def next_powers(powers: Rows, phi: Sequence[Any], field: Domain, highest: int = 10**9) -> list[Any]:
     """Return the coefficients of u^j in phi^0, phi^1, ..., phi^j, given those of the lower u^j.
 
-    >>> next_powers([[1], [0, 2]], [0, 2, 3], sp.QQ)
+    >>> list(map(int, next_powers([[1], [0, 2]], [0, 2, 3], sp.QQ)))
     [0, 3, 4]
     """
     j = len(powers)

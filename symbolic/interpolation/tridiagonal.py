@@ -33,8 +33,9 @@ def solve_tridiagonal(rows: Sequence[Row]) -> list[list[Any]]:
     Examples
     --------
     >>> from sympy import QQ
-    >>> solve_tridiagonal([Row(QQ(0), QQ(2), QQ(1), [QQ(3)]), Row(QQ(1), QQ(2), QQ(0), [QQ(3)])])
-    [[1], [1]]
+    >>> rows = [Row(QQ(0), QQ(2), QQ(1), [QQ(3)]), Row(QQ(1), QQ(2), QQ(0), [QQ(3)])]
+    >>> [int(x) for (x,) in solve_tridiagonal(rows)]
+    [1, 1]
     """
     shares: list[Any] = []  # x_i = solved[i] - shares[i] * x_{i+1}
     solved: list[list[Any]] = []
@@ -59,8 +60,8 @@ def solve_cyclic(rows: Sequence[Row]) -> list[list[Any]]:
     Examples
     --------
     >>> from sympy import QQ
-    >>> solve_cyclic([Row(QQ(1), QQ(4), QQ(1), [QQ(6)])] * 3)
-    [[1], [1], [1]]
+    >>> [int(x) for (x,) in solve_cyclic([Row(QQ(1), QQ(4), QQ(1), [QQ(6)])] * 3)]
+    [1, 1, 1]
     """
     first, *rest = rows
     zero = first.here - first.here

@@ -39,8 +39,9 @@ def over_one_denominator(
     Examples
     --------
     >>> t = sp.Symbol("t")
-    >>> over_one_denominator([(1 - t**2)/(1 + t**2), 2*t/(1 + t**2)])
-    (QQ, [[-1, 0, 1], [2, 0], [1, 0, 1]])
+    >>> field, rows = over_one_denominator([(1 - t**2)/(1 + t**2), 2*t/(1 + t**2)])
+    >>> [list(map(field.to_sympy, row)) for row in rows]
+    [[-1, 0, 1], [2, 0], [1, 0, 1]]
     """
     if isinstance(curve, RationalBezier):
         numerators, denominator = curve.fractions

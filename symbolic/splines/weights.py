@@ -41,8 +41,8 @@ def blossom_weights(
     Outside the domain only the weights of points that exist are meaningful.
 
     >>> u = [sp.QQ(k) for k in range(4)]
-    >>> blossom_weights(u, 1, [(sp.QQ(3, 2), True)], sp.QQ)
-    [1/2, 1/2]
+    >>> print(*blossom_weights(u, 1, [(sp.QQ(3, 2), True)], sp.QQ))
+    1/2 1/2
     """
     parameters = [x for x, _ in arguments]
     polynomials = as_polynomials([*knots, *parameters], field)
