@@ -144,14 +144,21 @@ def plain_roots(expressions: Iterable[sp.Expr]) -> list[sp.Expr]:
     >>> plain_roots([sp.Pow(-1, sp.Rational(1, 3)), sp.sqrt(5 + 2*sp.sqrt(6))])
     [1/2 + sqrt(3)*I/2, sqrt(2) + sqrt(3)]
     """
-    return transformed(expressions, lambda _, node: _plain(node) if node.is_Pow else node)
+    return transformed(expressions, _plain_or_same)
+
+
+def _plain_or_same(_: sp.Basic, node: sp.Basic) -> sp.Basic:
+    if not (node.is_Pow and node.exp.is_Rational) or node.exp.is_Integer:
+        return node
+    plain = _plain(node)
+    # What is remembered may be equal but another object, and whatever is built from another object
+    # is evaluated anew by SymPy: 0*(1/x) would lose its divisor.
+    return node if plain == node else plain
 
 
 @lru_cache(maxsize=1024)
 def _plain(node: sp.Pow) -> sp.Expr:
     base, exponent = node.args
-    if not exponent.is_Rational or exponent.is_Integer:
-        return node
     if base == -1 and exponent.q in (3, 4, 6):
         return sp.cos(sp.pi * exponent) + sp.I * sp.sin(sp.pi * exponent)
     if exponent.q == 2 and not base.is_Rational and _is_small_number(base):
