@@ -127,8 +127,11 @@ def _finite_and_exact(value: sp.Expr) -> sp.Expr:
 def _refuse_float(value: float) -> None:
     if value != value or value in (float("inf"), float("-inf")):
         raise BadValue("a finite number", shown(value), "Leave such values out.")
-    meant = Fraction(repr(value))
-    hint = f'Rational({meant.numerator}, {meant.denominator}) or Fraction("{value!r}")'
+    meant = Fraction(value).limit_denominator(1000)  # 1/3 rather than 0.3333333333333333
+    if float(meant) != value:
+        meant = Fraction(repr(value))
+    parts = f"({meant.numerator}, {meant.denominator})"
+    hint = f"Rational{parts} or Fraction{parts}"
     if meant.denominator == 1:
         hint = str(meant)
     raise NotExact("an exact number", f"the float {value!r}", f"Write {hint}.")

@@ -32,17 +32,20 @@ class Identification:
     basis : Basis
     powers, layout, geometry : as in `Basis.matrix_as`
         The order of the powers of t, the order of the product, and the order of G.
+    factor : Expr
+        By which the matrix is too large: 6 if 1/6 stands in front of it.
     """
 
     basis: Basis
     powers: Powers
     layout: Layout
     geometry: tuple[str, ...]
+    factor: sp.Expr = sp.S.One
 
     @property
     def matrix(self) -> sp.ImmutableMatrix:
         """The matrix, rebuilt from the basis and the convention."""
-        return self.basis.matrix_as(self.powers, self.layout, self.geometry)
+        return self.factor * self.basis.matrix_as(self.powers, self.layout, self.geometry)
 
     def __str__(self) -> str:
         n = self.basis.degree
@@ -50,9 +53,10 @@ class Identification:
         names = [*names[:2], "...", *names[-2:]] if n > 5 else names
         powers = " ".join(names if self.powers == "descending" else names[::-1])
         entries = ", ".join(self.geometry)
+        start = f"{self.basis.name}: c(t) = " + ("" if self.factor == 1 else f"{1 / self.factor} ")
         if self.layout == "TMG":
-            return f"{self.basis.name}: c(t) = [{powers}] M G with the column G = ({entries})"
-        return f"{self.basis.name}: c(t) = G M [{powers}]^T with the row G = ({entries})"
+            return f"{start}[{powers}] M G with the column G = ({entries})"
+        return f"{start}G M [{powers}]^T with the row G = ({entries})"
 
     def __repr__(self) -> str:
         return f"<{self}>"
@@ -69,7 +73,8 @@ def identify(matrix: Any) -> list[Identification]:
     Parameters
     ----------
     matrix : square matrix of numbers, roots and symbols
-        In any order of powers and geometry, written for c = T M G or c = G M T.
+        In any order of powers and geometry, written for c = T M G or c = G M T. If it is that of
+        no basis, a common factor may have been left out of it: then 1/6 M, say, is recognised.
 
     Returns
     -------
@@ -96,12 +101,20 @@ def identify(matrix: Any) -> list[Identification]:
     size = len(rows)
     if size < 2 or size != len(rows[0]):
         return []
+    return _identified(rows, scaled=False) or _identified(rows, scaled=True)
+
+
+def _identified(rows: Sequence[Sequence[sp.Expr]], scaled: bool) -> list[Identification]:
     found = []
     for layout, powers in product(_LAYOUTS, _POWERS):
         canonical = rows if layout == "TMG" else [list(row) for row in zip(*rows, strict=True)]
         canonical = canonical if powers == "descending" else canonical[::-1]
-        for rank, basis, order in candidates(dense(canonical)):
-            candidate = Identification(basis, powers, layout, order)
+        factor = _factor(canonical) if scaled else sp.S.One
+        if not factor:
+            continue
+        unscaled = [[entry / factor for entry in row] for row in canonical] if scaled else canonical
+        for rank, basis, order in candidates(dense(unscaled)):
+            candidate = Identification(basis, powers, layout, order, factor)
             if _equal(candidate.matrix, rows):
                 standard = order == tuple(entry.name for entry in basis.geometry)
                 key = (rank, not standard, powers == "ascending", layout == "GMT")
@@ -109,6 +122,12 @@ def identify(matrix: Any) -> list[Identification]:
     found.sort(key=lambda pair: pair[0])
     named = [candidate for (rank, *_), candidate in found if rank < CONSTRAINTS]
     return named or [candidate for _, candidate in found]
+
+
+def _factor(canonical: Sequence[Sequence[sp.Expr]]) -> sp.Expr:
+    """Return the sum of the constant terms, which is c(0) = 1 where all points are 1."""
+    field, elements = common_field(canonical[-1])
+    return field.to_sympy(sum(elements, field.zero))
 
 
 def _rows(matrix: Any) -> list[list[sp.Expr]]:

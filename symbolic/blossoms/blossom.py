@@ -11,6 +11,7 @@ from typing import Any
 import sympy as sp
 from sympy.polys.domains.domain import Domain
 
+from ..dag import symbols_in
 from ..errors import BadValue, shown
 from ..exact import PARAMETER, Point, as_list, by_name, exact, whole_number
 from ..names import unused_letter
@@ -156,13 +157,15 @@ class Blossom:
         return f"<blossom with {self.degree} arguments of ({polynomial})>"
 
 
-def blossom(expr: Any, t: sp.Symbol = PARAMETER, degree: int | None = None) -> Blossom:
+def blossom(expr: Any, t: sp.Symbol | None = None, degree: int | None = None) -> Blossom:
     """Return the blossom (polar form) of a polynomial, or of a curve coordinate by coordinate.
 
     Parameters
     ----------
     expr : polynomial in t, or a list of polynomials (one per coordinate)
-    t : Symbol
+    t : Symbol, optional
+        The variable; by default t. Needed, or else the degree, where the polynomial has other
+        symbols and no t.
     degree : int, optional
         The number of arguments; by default the degree of the polynomial. A polynomial has one
         blossom for every number of arguments from its degree on.
@@ -182,13 +185,11 @@ def blossom(expr: Any, t: sp.Symbol = PARAMETER, degree: int | None = None) -> B
     >>> blossom(t**2, degree=3).expression(a, b, c)
     a*b/3 + a*c/3 + b*c/3
     """
-    if not isinstance(t, sp.Symbol):
-        raise BadValue("a symbol as variable", shown(t), "Write blossom(expr, Symbol('t')).")
     listed = as_list(expr)
-    variable = by_name(t)
     coordinates = tuple(by_name(exact(e)) for e in (listed if listed is not None else [expr]))
     if not coordinates:
         raise BadValue("at least one polynomial", "an empty list", "Write blossom([t, t**2], t).")
+    variable = _variable(t, coordinates if degree is None else ())
     field, rows = polynomials(coordinates, variable)
     lowest = max(0, *(len(row) - 1 for row in rows))
     n = lowest if degree is None else whole_number(degree)
@@ -203,6 +204,22 @@ def blossom(expr: Any, t: sp.Symbol = PARAMETER, degree: int | None = None) -> B
         for row in rows
     )
     return Blossom(n, variable, coordinates, listed is not None, field, scaled)
+
+
+def _variable(t: Any, coordinates: Sequence[sp.Expr]) -> sp.Symbol:
+    """Return the variable; coordinates without a t are refused if it was not named."""
+    if t is None:
+        others = sorted(map(str, symbols_in(coordinates) - {PARAMETER}))
+        if others and PARAMETER not in symbols_in(coordinates):
+            raise BadValue(
+                f"a polynomial in {PARAMETER}, or its variable named",
+                f"one in {', '.join(others)}",
+                f"Write blossom(expr, {others[0]}) for a polynomial in {others[0]}.",
+            )
+        return PARAMETER
+    if not isinstance(t, sp.Symbol):
+        raise BadValue("a symbol as variable", shown(t), "Write blossom(expr, Symbol('t')).")
+    return by_name(t)
 
 
 def _ascending(row: Sequence[Any], n: int, field: Domain) -> list[Any]:

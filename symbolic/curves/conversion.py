@@ -7,12 +7,12 @@ from typing import Any
 import sympy as sp
 
 from ..blossoms.blossom import blossom
-from ..exact import PARAMETER, Point, as_list
+from ..exact import Point, as_list
 from ..parameter_interval import read_interval
 
 
 def polynomial_to_bezier(
-    exprs: Any, t: sp.Symbol = PARAMETER, interval: Any = (0, 1)
+    exprs: Any, t: sp.Symbol | None = None, interval: Any = (0, 1)
 ) -> tuple[Point, ...]:
     r"""Return the Bezier control points of a polynomial curve over an interval [r, s].
 
@@ -21,7 +21,8 @@ def polynomial_to_bezier(
     Parameters
     ----------
     exprs : list of polynomials in t, one per coordinate; or a single polynomial
-    t : Symbol
+    t : Symbol, optional
+        The variable; by default t.
     interval : (r, s)
 
     Returns

@@ -58,7 +58,7 @@ class InterpolatingSpline:
 
     @cached_property
     def pieces(self) -> tuple[Segment, ...]:
-        """The spline in powers of t - t_i, one cubic per coordinate and span."""
+        """The spline on every span: cubics in t itself, written around the start of the span."""
         return tuple(
             Segment(start, end, _cubics(p, q, start, end))
             for p, q, (start, end) in zip(

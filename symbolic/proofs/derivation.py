@@ -133,12 +133,16 @@ class Derivation:
         return "\n".join((self.heading, *lines))
 
     def _repr_latex_(self) -> str:
+        return rf"$\displaystyle {self.latex()}$"
+
+    def latex(self) -> str:
+        """Return the title and all steps with their reasons as one aligned block of LaTeX."""
         lines = [rf"&\textbf{{{_escaped(self.heading)}}}"]
         for i, step in enumerate(self.steps, 1):
             lines.append(rf"&\text{{{i}. {_escaped(step.because)}:}}")
             lines.append(rf"&\qquad {step.latex()}")
         rows = r" \\[4pt] ".join(lines)
-        return rf"$\displaystyle \begin{{aligned}} {rows} \end{{aligned}}$"
+        return rf"\begin{{aligned}} {rows} \end{{aligned}}"
 
 
 def _escaped(text: str) -> str:

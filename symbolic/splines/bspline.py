@@ -11,7 +11,7 @@ import sympy as sp
 from ..bases.basis import Basis
 from ..blossoms.blossom import Blossom, blossom
 from ..errors import BadValue, shown
-from ..exact import Point, whole_number
+from ..exact import PARAMETER, Point, whole_number
 from ..proofs.derivation import Derivation, Step
 from ..written import plus
 from . import calculus, conversion, cox_de_boor, discretization, insertion, multiplicity
@@ -121,7 +121,7 @@ class BSpline:
         """
         self.knots.interval(span)
         segment = conversion.segment(self.knots, int(span), read_points(self.knots, points))
-        return blossom(segment.coordinates, degree=self.degree)
+        return blossom(segment.coordinates, PARAMETER, self.degree)
 
     def span_basis(self, span: int) -> Basis:
         """Return one span as a `Basis` over [0, 1] with G = (P_{j-p}, ..., P_j)."""

@@ -22,6 +22,7 @@ from symbolic import (
     subdivide,
     value,
 )
+from symbolic.exact import exact
 
 P0, P1 = sp.symbols("P0 P1")
 
@@ -165,3 +166,12 @@ def test_bases_survive_pickling(basis):
     again = pickle.loads(pickle.dumps(basis))
     assert again.matrix == basis.matrix
     assert again.derivation.is_proved
+
+
+@pytest.mark.parametrize(("value", "hint"), [
+    (1 / 3, r"Rational\(1, 3\)"), (0.1, r"Rational\(1, 10\)"), (2.0, "Write 2"),
+    (0.123456789, r"Rational\(123456789, 1000000000\)"),
+])  # fmt: skip
+def test_the_fraction_that_was_meant_is_told(value, hint):
+    with pytest.raises(NotExact, match=hint):
+        exact(value)

@@ -194,6 +194,8 @@ def test_a_symbolic_blossom_of_high_degree_stays_small():
     (lambda: blossom(1 / t), BadValue),
     (lambda: blossom(t**3, degree=2), BadValue),
     (lambda: blossom(0.5 * t), NotExact),
+    (lambda: blossom(a**2), BadValue),
+    (lambda: polynomial_to_bezier([a]), BadValue),
     (lambda: blossom("t"), BadType),
     (lambda: blossom([]), BadValue),
     (lambda: blossom(t, "t"), BadValue),

@@ -94,7 +94,7 @@ def test_parameters_are_solved_for_exactly(basis):
 
 
 @pytest.mark.parametrize("matrix", [
-    sp.zeros(4), sp.Matrix(4, 4, range(16)), sp.Matrix(2, 3, range(6)), [[7]], 2 * sp.eye(3),
+    sp.zeros(4), sp.Matrix(4, 4, range(16)), sp.Matrix(2, 3, range(6)), [[7]],
     bezier(3).matrix + sp.eye(4), sp.Matrix(4, 4, sp.symbols("m:16")), [[a, 1], [1, 2]],
     cardinal(a).matrix.subs(a, sp.Symbol("P0")),
 ])  # fmt: skip
@@ -107,3 +107,14 @@ def test_an_unknown_matrix_has_no_candidates(matrix):
 def test_no_candidate_is_ever_wrong(entries):
     matrix = sp.ImmutableMatrix(3, 3, entries)
     assert all(candidate.matrix == matrix for candidate in identify(matrix))
+
+
+@pytest.mark.parametrize(("matrix", "factor"), [
+    (6 * uniform_bspline().matrix, 6), (2 * catmull_rom().matrix_as(layout="GMT"), 2),
+    (3 * hermite().matrix, 3), (sp.Symbol("k") * bezier(2).matrix, sp.Symbol("k")),
+    (2 * sp.eye(3), 2),
+])  # fmt: skip
+def test_a_factor_left_in_front_of_the_matrix_is_told(matrix, factor):
+    found = identify(matrix)
+    assert found and all(each.matrix == sp.ImmutableMatrix(matrix) for each in found)
+    assert found[0].factor == factor and f"c(t) = {1 / sp.S(factor)} " in str(found[0])
