@@ -150,13 +150,17 @@ def _escaped(text: str) -> str:
 
     >>> _escaped("50% of C^2 in P_0")
     '50$\\%$ of C$^{2}$ in P$\\_$0'
+    >>> print(_escaped("s'' of Runge's curve"))
+    s$''$ of Runge's curve
     """
     special = {"$": r"\$", "{": r"\{", "}": r"\}", "^": r"$\wedge$", "~": r"$\sim$"}
     special |= {"\\": r"$\backslash$", **{c: rf"$\{c}$" for c in "%&#_"}}
     parts = _POWER.split(text)  # words and exponents in turn
     words = ["".join(special.get(c, c) for c in part) for part in parts[::2]]
+    words = [_PRIMES.sub(r"$\1$", word) for word in words]
     exponents = [f"$^{{{exponent}}}$" for exponent in parts[1::2]]
     return "".join(w + e for w, e in zip(words, [*exponents, ""], strict=True))
 
 
+_PRIMES = re.compile(r"(?<=\b[a-z])('+)(?![a-z])")  # s'' would become s and a closing quote
 _POWER = re.compile(r"\^([A-Za-z0-9]+|-[0-9]+)")
