@@ -13,6 +13,7 @@ from itertools import combinations
 import sympy as sp
 from sympy.core.function import AppliedUndef
 from sympy.core.relational import Relational
+from sympy.functions.elementary.piecewise import ExprCondPair
 from sympy.logic.boolalg import And, BooleanFalse, BooleanTrue, Not, Or
 
 from ..dag import postorder, substitute
@@ -202,7 +203,9 @@ def _resolved(
     dropped: dict[sp.Basic, None] = {}
     for node in postorder([side], arguments):
         below = [new[id(argument)] for argument in arguments(node)]
-        if any(value is None for value in below):
+        if isinstance(node, ExprCondPair) and below[0] is None and below[1] is not None:
+            new[id(node)] = ExprCondPair(sp.nan, below[1])  # this branch may not be the one taken
+        elif any(value is None for value in below):
             new[id(node)] = None
         elif node in nodes:
             chosen = _chosen(node, sign_of)

@@ -175,7 +175,7 @@ def _is_one_substitution(node: sp.Subs) -> bool:
 
     SymPy writes nested substitutions, which are one by one, as a single one.
     """
-    return not any(
+    return len(set(node.variables)) == len(node.variables) and not any(
         symbol in node.variables[i + 1 :]
         for i, point in enumerate(node.point)
         for symbol in point.free_symbols

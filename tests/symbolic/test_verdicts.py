@@ -369,3 +369,23 @@ def test_entries_of_matrices_mean_what_they_mean_alone():
     for matrix in (sp.Matrix([[exchanged]]), sp.MatMul(sp.eye(1), sp.ImmutableMatrix([[exchanged]]),
                                                        evaluate=False)):  # fmt: skip
         assert prove(matrix, [[b * a**2]])
+
+
+def test_a_branch_without_value_that_is_not_taken_hides_nothing():
+    """In two variables, one is resolved before the other: a gap in x must not leave out y < 0."""
+    gap = sp.Piecewise((-x / 2, x >= 1))
+    left = sp.Piecewise((sp.Piecewise((y, x > -2), (x, True)), y < 0), (gap, True))
+    right = sp.Piecewise((sp.Piecewise((y, x > -2), (x / (y + 2), True)), y < 0), (gap, True))
+    verdict = prove(left, right)
+    assert isinstance(verdict, Refuted)
+    assert left.subs(verdict.witness) == verdict.left != verdict.right
+    assert right.subs(verdict.witness) == verdict.right
+    assert prove(left, left + 0 * y)
+
+
+def test_a_witness_for_declared_symbols_is_no_hidden_pole():
+    negative = sp.Symbol("x", nonpositive=True)
+    left = 1 / ((1 / negative) ** sp.Rational(-1, 3) - 1) - 3
+    verdict = prove(left, negative)
+    assert not verdict
+    assert isinstance(verdict, Undecided) or verdict.witness[sp.Symbol("x")] != 0
