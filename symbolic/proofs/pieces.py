@@ -221,7 +221,7 @@ def _resolved(
             new[id(node)] = None if value in _UNDEFINED else value
         before = frozenset().union(*(doubtful[id(argument)] for argument in arguments(node)))
         value = new[id(node)]
-        if value is not None and (before or may_be_undefined(value)):
+        if value is not None and (before or may_be_undefined(node) or may_be_undefined(value)):
             after = frozenset(n for n in postorder([value]) if may_be_undefined(n))
             if node.is_Add or node.is_Mul:
                 dropped |= dict.fromkeys(before - after)

@@ -389,3 +389,11 @@ def test_a_witness_for_declared_symbols_is_no_hidden_pole():
     verdict = prove(left, negative)
     assert not verdict
     assert isinstance(verdict, Undecided) or verdict.witness[sp.Symbol("x")] != 0
+
+
+def test_a_divisor_that_cancels_at_a_break_point_keeps_witnesses_away():
+    quotient = 1 / ((-3 * x * y - x) / (-x * y + x) + 1)  # at y = 2 it is 1/8, but for x = 0
+    step = sp.Piecewise((1, sp.Eq(y, 2)), (0, True))
+    for rest in (0, sin(x), sin(sp.Abs(x - Rational(3, 4)))):
+        verdict = prove(step + quotient + rest, quotient + rest)
+        assert isinstance(verdict, Refuted) and verdict.witness[x] != 0
