@@ -6,16 +6,15 @@ equality has to be one that was meant: sin(n pi/2) cos(n pi/2) = 0 is true for i
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import replace
-from functools import partial
 
 import sympy as sp
 
-from ..dag import postorder, transformed
+from ..dag import postorder
 from ..errors import written
 from .generators import NoNormalForm
-from .side import evaluated
+from .side import evaluated, put_in
 from .verdict import Refuted, Undecided, Verdict
 
 Pair = tuple[sp.Expr, sp.Expr]
@@ -45,7 +44,7 @@ def as_declared(refuted: Refuted, given: Pair, compare: Callable[[Pair], Verdict
     for k in range(_TRIES if sides and all(allowed.values()) else 0):
         values = {s: row[(k + i) % len(row)] for i, (s, row) in enumerate(allowed.items())}
         try:
-            left, right = transformed(sides, partial(_put_in, values))
+            left, right = put_in(sides, values)
         except NoNormalForm:
             continue
         verdict = compare((left, right))
@@ -53,14 +52,6 @@ def as_declared(refuted: Refuted, given: Pair, compare: Callable[[Pair], Verdict
             return replace(verdict, witness={**values, **verdict.witness})
     places = ", ".join(f"{symbol} = {written(refuted.witness[symbol])}" for symbol in broken)
     return Undecided(f"the sides differ at {places}, but that is not what was declared")
-
-
-def _put_in(values: Mapping[sp.Symbol, sp.Expr], old: sp.Basic, new: sp.Basic) -> sp.Basic:
-    """Put values in for symbols; 1/(1/0) is not 0, as SymPy has it."""
-    new = values.get(old, new) if old.is_Symbol else new
-    if new in (sp.nan, sp.zoo, sp.oo, -sp.oo):
-        raise NoNormalForm("a side is not defined there")
-    return new
 
 
 def _without_operators(given: Pair) -> list[sp.Expr]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,7 +10,7 @@ import sympy as sp
 from sympy.logic.boolalg import Boolean
 from sympy.matrices.exceptions import MatrixError
 
-from ..dag import postorder
+from ..dag import postorder, transformed
 from ..errors import BadType, BadValue, shown
 from ..exact import as_list, by_name, exact
 from ..fields import operands
@@ -128,11 +128,53 @@ def evaluated(expression: sp.Expr, keep_operators: bool = True) -> sp.Expr:
                 raise NoNormalForm(
                     f"{shown(node, 60)} is too long to be carried out, or not understood"
                 )
-    result = expression.doit()
+    result = _carried_out(expression)
     try:
         return exact(result)
     except BadValue:
         raise NoNormalForm(f"{shown(expression, 60)} is {shown(result, 60)}") from None
+
+
+def put_in(expressions: Iterable[sp.Expr], values: Mapping[sp.Symbol, sp.Expr]) -> list[sp.Expr]:
+    """Put values in for symbols; 1/(1 + 1/0) is not 0, as SymPy has it, but undefined.
+
+    Raises
+    ------
+    NoNormalForm
+        Where something on the way is not defined.
+    """
+
+    def change(old: sp.Basic, new: sp.Basic) -> sp.Basic:
+        return _defined(values.get(old, new) if old.is_Symbol else new)
+
+    return transformed(expressions, change)
+
+
+def _defined(node: sp.Basic) -> sp.Basic:
+    if node in (sp.nan, sp.zoo, sp.oo, -sp.oo):
+        raise NoNormalForm("a side is not defined there")
+    return node
+
+
+def _carried_out(expression: sp.Expr) -> sp.Expr:
+    """Carry out sums, integrals, derivatives and substitutions, the innermost ones first."""
+
+    def change(_: sp.Basic, new: sp.Basic) -> sp.Basic:
+        if isinstance(new, sp.Sum | sp.Product):
+            ((index, start, end),) = new.limits
+            values = range(int(start), int(end) + 1) if end >= start else ()
+            terms = [put_in([new.function], {index: sp.Integer(k)})[0] for k in values]
+            new = (sp.Add if isinstance(new, sp.Sum) else sp.Mul)(*terms)
+        elif isinstance(new, sp.Subs) and not new.expr.has(sp.Derivative, sp.Subs):
+            inner = new.expr
+            for variable, point in zip(new.variables, new.point, strict=True):
+                (inner,) = put_in([inner], {variable: point})
+            new = inner
+        elif any(isinstance(new, kind) for kind in _LIMITS):
+            new = new.doit()
+        return _defined(new)
+
+    return transformed([expression], change)[0]
 
 
 def _refuse_ambiguous(node: sp.Basic, keep_operators: bool) -> None:

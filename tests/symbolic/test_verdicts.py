@@ -397,3 +397,20 @@ def test_a_divisor_that_cancels_at_a_break_point_keeps_witnesses_away():
     for rest in (0, sin(x), sin(sp.Abs(x - Rational(3, 4)))):
         verdict = prove(step + quotient + rest, quotient + rest)
         assert isinstance(verdict, Refuted) and verdict.witness[x] != 0
+
+
+@pytest.mark.parametrize(("left", "right"), [
+    (sp.Sum(1 / (1 + 1 / t), (t, 0, 1)), Rational(1, 2)),
+    (1 / sp.Sum(x / (t - 1), (t, -1, 1)), 0),
+    (sp.Subs(1 / (1 + sp.log(x)), x, 0), 0),
+    (sp.Abs(y) * sp.Subs(1 / (1 + 1 / x), x, 0), 0),
+])  # fmt: skip
+def test_what_divides_by_zero_on_the_way_equals_nothing(left, right):
+    """SymPy takes 1/(1 + 1/0) for 0."""
+    assert isinstance(prove(left, right), Undecided)
+
+
+def test_what_stands_inside_is_carried_out_first():
+    assert prove(sp.Subs(sp.Derivative(sin(y), x), y, x + 1), 0)
+    assert prove(sp.Sum(sin(a * x), (a, 1, 2)), sin(x) + sin(2 * x))
+    assert prove(sp.Product(x + a, (a, 0, 2)), x * (x + 1) * (x + 2))
