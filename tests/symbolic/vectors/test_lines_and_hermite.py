@@ -66,6 +66,11 @@ EQUALITIES = {
     "H08 Hermite matrix, column form": (hermite().matrix_as(layout="GMT"), HERMITE_GMT),
     "H09 Hermite matrix, row form": (hermite().matrix, HERMITE_TMG),
     "H11 Hermite functions": (hermite().functions, HERMITE_FUNCTIONS),
+    "H12 values at both ends": (
+        [[f.subs(t, at) for f in hermite().functions] for at in (0, 1)],
+        [[1, 0, 0, 0], [0, 1, 0, 0]]),
+    "H12 where the last function is smallest": (
+        sp.diff(hermite().functions[3], t), t*(3*t - 2)),
     "H12 minimum of the last function": (hermite().functions[3].subs(t, R(2, 3)), -R(4, 27)),
     "H12 the point weights sum to one": (hermite().functions[0] + hermite().functions[1], 1),
     "H13 worked example": (
