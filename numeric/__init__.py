@@ -1,9 +1,9 @@
 """Float64 kernels: the tape that runs derived formulas, piecewise curves, glyph outlines."""
 
-from .curve import Curve
+from .curves.curve import Curve
 from .glyphs import Glyph, glyph
 from .points import float_points, real_number
-from .tape import Tape, compile_tape, flattened
+from .tape.tape import Tape, compile_tape, flattened
 
 __all__ = [
     "Curve",

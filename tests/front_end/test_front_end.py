@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from numeric.operations import BINARY, UNARY
+from numeric.tape.operations import BINARY, UNARY
 from widgets.figure import bundle
 
 HERE = Path(__file__).parent

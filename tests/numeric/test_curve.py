@@ -9,7 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from numeric import Curve
-from numeric.curve import HORNER_DEGREE
+from numeric.curves.evaluation import HORNER_DEGREE
 from symbolic import (
     BadType,
     BadValue,
@@ -148,7 +148,7 @@ def test_bad_points(name):
         Curve.from_bezier(points)
 
 
-@pytest.mark.parametrize("at", [-0.001, 1.001, [0.5, 2], float("nan"), np.array([[0.1, -1]])])
+@pytest.mark.parametrize("at", [-0.001, 1.001, [0.5, 2], [np.nan, 2], np.array([[0.1, -1]])])
 def test_parameters_outside_the_domain(at):
     with pytest.raises(OutsideDomain, match=r"parameters in \[0, 1\]"):
         Curve.from_bezier([[0, 0], [1, 1]])(at)
@@ -166,7 +166,7 @@ def test_bad_domains(domain):
         Curve.from_bezier([[0, 0], [1, 1]], domain)
 
 
-@pytest.mark.parametrize("expression", [sp.sin(t), 1 / t, sp.Symbol("a") * t, sp.I * t])
+@pytest.mark.parametrize("expression", [sp.sin(t), sp.sqrt(t), sp.Symbol("a") * t, sp.I * t])
 def test_expressions_that_are_no_polynomials(expression):
     with pytest.raises(BadValue, match="polynomials in t"):
         Curve.from_expressions([expression], t)

@@ -16,9 +16,10 @@ import sympy as sp
 from symbolic.errors import BadType, BadValue, shown
 from symbolic.exact import as_list, exact
 
+from ..points import real_array
 from .compile import Program
-from .operations import ARITY, KERNELS
-from .points import real_array
+from .operations import ARITY
+from .runner import run_chunked
 
 
 @dataclass(frozen=True)
@@ -60,7 +61,8 @@ class Tape:
         -------
         dict
             Every output as a float64 array of shape (broadcast shape of the inputs) + its own.
-            Divisions by zero give inf or nan, as NumPy has it.
+            Divisions by zero give inf or nan, as NumPy has it. One entry of an output is
+            contiguous in memory, for all inputs; no temporary is larger than a chunk of these.
 
         Raises
         ------
@@ -77,17 +79,14 @@ class Tape:
         """
         arrays = [real_array(value, "inputs") for value in self._ordered(values)]
         common = np.broadcast_shapes(*(array.shape for array in arrays))
-        constants = [c[0] / c[1] if isinstance(c, tuple) else float(c) for c in self.constants]
-        registers: list[Any] = [*arrays, *constants]
-        with np.errstate(all="ignore"):
-            for operation, *operands in self.instructions:
-                registers.append(KERNELS[operation](*(registers[r] for r in operands)))
-        return {
-            name: np.stack(
-                [np.broadcast_to(registers[r], common) for r in output.registers], axis=-1
-            ).reshape(common + output.shape)
-            for name, output in self.outputs.items()
-        }
+        out = np.empty((sum(len(o.registers) for o in self.outputs.values()), *common))
+        run_chunked(self, arrays, out)
+        results, first = {}, 0
+        for name, output in self.outputs.items():
+            rows = out[first : first + len(output.registers)]
+            results[name] = np.moveaxis(rows, 0, -1).reshape(common + output.shape)
+            first += len(output.registers)
+        return results
 
     def to_json(self) -> dict[str, Any]:
         """Return the tape as JSON data: flat lists of numbers, and names.

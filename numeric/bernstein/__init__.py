@@ -1,0 +1,1 @@
+"""Polynomials by their Bernstein coefficients, many at once: parts, products, roots."""

@@ -1,0 +1,1 @@
+"""Piecewise polynomial and rational curves: made, evaluated, cut, joined and moved."""

@@ -1,0 +1,60 @@
+"""Derivatives of curves by their parameter, as curves and point by point."""
+
+from __future__ import annotations
+
+from math import comb
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symbolic.errors import BadValue, shown
+
+from ..bernstein.form import along_rows, derivative, elevate, product
+
+if TYPE_CHECKING:
+    from .curve import Curve
+
+
+def derivative_rows(rows: np.ndarray, breaks: np.ndarray) -> np.ndarray:
+    """Return the rows of the derivative by t: by u, divided by the segment's length."""
+    return derivative(rows) / along_rows(np.diff(breaks), rows)
+
+
+def derivative_curve(curve: Curve) -> Curve:
+    """Return the derivative of a curve, as a curve; see `Curve.derivative`.
+
+    Of p = N/W it is (N' W - N W') / W^2, of degree 2n.
+    """
+    rows = derivative_rows(curve.rows, curve.breaks)
+    if not curve.rational:
+        return curve.with_rows(rows, curve.breaks)
+    n, w = curve.rows[..., :-1], curve.rows[..., -1:]
+    above = product(rows[..., :-1], w) - product(n, rows[..., -1:])
+    below = product(w, w)
+    above = elevate(above, below.shape[1] - above.shape[1])
+    return curve.with_rows(np.concatenate([above, below], axis=2), curve.breaks)
+
+
+def derivatives_at(curve: Curve, t: Any, order: Any) -> list[np.ndarray]:
+    """Return the point and its first derivatives at t; see `Curve.derivatives`.
+
+    From w p = N and Leibniz' rule, w p^(k) = N^(k) - sum over i = 1, ..., k of
+    C(k, i) w^(i) p^(k-i) (Piegl and Tiller, The NURBS Book, A4.2).
+    """
+    if isinstance(order, bool) or not isinstance(order, int | np.integer) or order < 0:
+        raise BadValue("an order of derivative, 0, 1, 2, ...", shown(order), "Give a whole number.")
+    flat = type(curve)(curve.homogeneous, curve.breaks) if curve.rational else curve
+    found = [flat(t)]
+    for _ in range(order):
+        flat = flat.derivative()
+        found.append(flat(t))
+    if not curve.rational:
+        return found
+    numerators, w = [f[..., :-1] for f in found], [f[..., -1:] for f in found]
+    points: list[np.ndarray] = []
+    for k in range(order + 1):
+        value = numerators[k]
+        for i in range(1, k + 1):
+            value = value - comb(k, i) * w[i] * points[k - i]
+        points.append(value / w[0])
+    return points

@@ -1,0 +1,132 @@
+"""Curves cut, joined, reversed and moved: affine maps of their rows of control points."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from symbolic.errors import BadType, BadValue, OutsideDomain, shown
+
+from ..bernstein.form import part, split
+from ..points import real_array, real_number
+from .making import common_rows, read_breaks
+
+if TYPE_CHECKING:
+    from .curve import Curve
+
+# Ends count as met within this fraction of the curves' size: some roundings.
+MEETING = 1e-12
+
+
+def split_curve(curve: Curve, t: Any) -> tuple[Curve, Curve]:
+    """Return the parts of a curve before and after t; see `Curve.split`."""
+    at = _inside(curve, t)
+    start, end = curve.domain
+    if at in (start, end):
+        raise BadValue(
+            f"t between {start:g} and {end:g}", f"{at:g}, an end", "There is nothing on one side."
+        )
+    i = int(curve.spans.segment(np.array([at]))[0])
+    rows, breaks = curve.rows, curve.breaks
+    if at == breaks[i]:
+        return curve.with_rows(rows[:i], breaks[: i + 1]), curve.with_rows(rows[i:], breaks[i:])
+    left, right = split(rows[i : i + 1], (at - breaks[i]) / (breaks[i + 1] - breaks[i]))
+    return (
+        curve.with_rows(np.concatenate([rows[:i], left]), np.append(breaks[: i + 1], at)),
+        curve.with_rows(np.concatenate([right, rows[i + 1 :]]), np.insert(breaks[i + 1 :], 0, at)),
+    )
+
+
+def restrict_curve(curve: Curve, start: Any, end: Any) -> Curve:
+    """Return the part of a curve on [start, end]; see `Curve.restrict`."""
+    a, b = _inside(curve, start), _inside(curve, end)
+    if not a < b:
+        raise BadValue("start < end", f"{a:g} and {b:g}", "Reverse the curve to run backwards.")
+    breaks = curve.breaks
+    first = int(curve.spans.segment(np.array([a]))[0])
+    last = max(int(np.searchsorted(breaks, b)) - 1, first)
+    held, ends = curve.rows[first : last + 1].copy(), breaks[first : last + 2].copy()
+    low, high = np.clip(([a, b] - ends[[0, -2]]) / (ends[[1, -1]] - ends[[0, -2]]), 0, 1)
+    if len(held) == 1:
+        held = part(held, low, high)
+    else:
+        held[:1], held[-1:] = part(held[:1], low, 1.0), part(held[-1:], 0.0, high)
+    ends[[0, -1]] = a, b
+    return curve.with_rows(held, ends)
+
+
+def join_curves(curves: Any) -> Curve:
+    """Return curves one after the other as a single one; see `Curve.join`."""
+    if not curves or not all(hasattr(curve, "with_rows") for curve in curves):
+        raise BadType("curves", shown(curves), "Write Curve.join(first, second).")
+    rows, rational = common_rows([(curve.rows, curve.rational) for curve in curves])
+    for k, (one, other) in enumerate(zip(curves, curves[1:], strict=False)):
+        size = max(float(np.abs(c.points).max()) for c in (one, other))
+        gap = float(np.abs(one(one.domain[1]) - other(other.domain[0])).max())
+        if gap > MEETING * size:
+            raise BadValue(
+                "curves that start where the one before ends",
+                f"a gap of {gap:g} between curves {k} and {k + 1}",
+                "Move one of them, or put a line in between.",
+            )
+    breaks = curves[0].breaks
+    for curve in curves[1:]:
+        breaks = np.append(breaks, breaks[-1] + (curve.breaks[1:] - curve.breaks[0]))
+    return type(curves[0])(rows, read_breaks(breaks, len(rows)), rational)
+
+
+def reversed_curve(curve: Curve) -> Curve:
+    """Return the curve run backwards on the same domain; see `Curve.reverse`."""
+    start, end = curve.domain
+    breaks = (start + end) - curve.breaks[::-1]
+    breaks[[0, -1]] = start, end
+    return curve.with_rows(curve.rows[::-1, ::-1].copy(), read_breaks(breaks, len(curve)))
+
+
+def transformed(curve: Curve, matrix: Any, offset: Any) -> Curve:
+    """Return the curve mapped by x -> matrix x + offset; see `Curve.transform`."""
+    linear = real_array(matrix, "a matrix")
+    if linear.ndim == 0:
+        linear = linear * np.eye(curve.dim)
+    shift = real_array(0 if offset is None else offset, "an offset")
+    if (
+        linear.ndim != 2
+        or linear.shape[1] != curve.dim
+        or shift.shape not in ((), linear.shape[:1])
+    ):
+        raise BadValue(
+            f"a matrix of {curve.dim} columns, and an offset with an entry for each of its rows",
+            f"shapes {linear.shape} and {shift.shape}",
+            "The map is x -> matrix x + offset.",
+        )
+    if not (np.isfinite(linear).all() and np.isfinite(shift).all()):
+        raise BadValue("finite numbers", shown((matrix, offset)), "Mend the map.")
+    rows = curve.rows
+    shift = np.broadcast_to(shift, linear.shape[:1])
+    if not curve.rational:
+        return curve.with_rows(rows @ linear.T + shift, curve.breaks)
+    w = rows[..., -1:]
+    return curve.with_rows(
+        np.concatenate([rows[..., :-1] @ linear.T + w * shift, w], 2), curve.breaks
+    )
+
+
+def reparametrized(curve: Curve, domain: Any) -> Curve:
+    """Return the same points on another domain; see `Curve.reparametrize`."""
+    ends = real_array(domain, "a domain")
+    if ends.shape != (2,):
+        raise BadValue("(start, end)", shown(domain), "Give two numbers.")
+    read_breaks(ends, 1)
+    start, end = curve.domain
+    breaks = ends[0] + (curve.breaks - start) * ((ends[1] - ends[0]) / (end - start))
+    breaks[[0, -1]] = ends
+    return curve.with_rows(curve.rows, read_breaks(breaks, len(curve)))
+
+
+def _inside(curve: Curve, t: Any) -> float:
+    at = real_number(t, "t")
+    start, end = curve.domain
+    if not start <= at <= end:
+        raise OutsideDomain(f"t in [{start:g}, {end:g}]", f"{at:g}", "Stay inside the domain.")
+    return at

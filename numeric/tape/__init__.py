@@ -1,0 +1,1 @@
+"""Straight-line programs: from SymPy expressions to plain data, run by NumPy and the browser."""
