@@ -50,6 +50,8 @@ def float_points(points: Any) -> np.ndarray:
 def real_array(values: Any, what: str) -> np.ndarray:
     """Return a number or numbers in any nesting as a float64 array; NaN passes.
 
+    An array of float64 is returned as it is, not copied.
+
     >>> real_array([1, 2.5], "parameters")
     array([1. , 2.5])
     """
@@ -59,7 +61,7 @@ def real_array(values: Any, what: str) -> np.ndarray:
             entry is None or isinstance(entry, str | bytes | bool) for entry in array.flat
         )
         if array.dtype.kind in "iufO" and not foreign:
-            return array.astype(float)
+            return array.astype(float, copy=False)
     except (TypeError, ValueError):
         pass
     raise BadType(f"real numbers as {what}", shown(values), "Give a number or an array of numbers.")

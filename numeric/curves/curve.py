@@ -15,7 +15,7 @@ from ..bernstein.form import elevate
 from ..bernstein.roots import roots
 from ..points import real_array
 from . import derivatives, making, pieces
-from .evaluation import coefficient_table, evaluate
+from .evaluation import Table, coefficient_table, evaluate
 from .spans import Spans
 
 
@@ -242,8 +242,8 @@ class Curve:
         return Spans.over(self.breaks)
 
     @cached_property
-    def _table(self) -> np.ndarray:
-        return coefficient_table(self.rows)
+    def _table(self) -> Table:
+        return coefficient_table(self.rows, self.breaks)
 
     def __len__(self) -> int:
         """Return the number of segments."""

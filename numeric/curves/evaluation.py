@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -18,32 +18,65 @@ from .spans import Spans
 HORNER_DEGREE = 7
 
 
-def coefficient_table(rows: np.ndarray) -> np.ndarray:
-    """Return what `evaluate` reads, shape (n + 1, columns, m): powers up to `HORNER_DEGREE`."""
-    horner = rows.shape[1] - 1 <= HORNER_DEGREE
-    return np.ascontiguousarray(np.moveaxis(to_powers(rows) if horner else rows, 0, 2))
+# Powers of these lengths and sizes stay far from the largest and smallest floats.
+SAFE_LENGTHS = (1e-20, 1e20)
+SAFE_SIZES = (1e-100, 1e100)
 
 
-def evaluate(table: np.ndarray, rational: bool, spans: Spans, t: np.ndarray) -> np.ndarray:
+class Table(NamedTuple):
+    """Coefficients as `evaluate` reads them.
+
+    Attributes
+    ----------
+    coefficients : array, shape (n + 1, columns, segments)
+        Of powers up to `HORNER_DEGREE`, Bernstein coefficients above it.
+    lengths : array, shape (segments,), or None
+        What t - start is to be divided by; None if the coefficients are those of its powers.
+    """
+
+    coefficients: np.ndarray
+    lengths: np.ndarray | None
+
+
+def coefficient_table(rows: np.ndarray, breaks: np.ndarray) -> Table:
+    """Return the table of segments with these rows (m, n + 1, columns) over these breaks."""
+    lengths, n = np.diff(breaks), rows.shape[1] - 1
+    taken_up = False
+    if n <= HORNER_DEGREE:
+        rows = to_powers(rows)
+        if _within(lengths, SAFE_LENGTHS) and _within(np.abs(rows).max(), SAFE_SIZES):
+            rows = rows / lengths[:, None, None] ** np.arange(n + 1)[:, None]
+            taken_up = True
+    coefficients = np.ascontiguousarray(np.moveaxis(rows, 0, 2))
+    return Table(coefficients, None if taken_up else lengths)
+
+
+def _within(values: Any, bounds: tuple[float, float]) -> bool:
+    return bool((values >= bounds[0]).all() and (values <= bounds[1]).all())
+
+
+def evaluate(table: Table, rational: bool, spans: Spans, t: np.ndarray) -> np.ndarray:
     """Return points at parameters t of one dimension, one coordinate a row: (dim, len(t)).
 
-    Every t must be inside the spans' domain, or belongs to the first or last segment's polynomial;
-    NaN and infinities give NaN.
+    A t outside the spans' domain belongs to the polynomial of the first or last segment; NaN gives
+    NaN.
 
     Notes
     -----
     A chunk that lies in one segment reads its coefficients as numbers; one of increasing
     parameters repeats them by segment; any other gathers them by index.
     """
-    degree, columns, _ = table.shape
-    tape = point_tape(degree - 1, columns, rational, degree - 1 <= HORNER_DEGREE)
-    rows = table.reshape(degree * columns, -1)
+    count, columns, _ = table.coefficients.shape
+    tape = point_tape(count - 1, columns, rational, count - 1 <= HORNER_DEGREE)
+    rows = table.coefficients.reshape(count * columns, -1)
     out = np.empty((columns - rational, len(t)))
     runners: dict[tuple[bool, int], Runner] = {}
     with np.errstate(all="ignore"):
         for start in range(0, len(t), CHUNK):
             chunk = t[start : start + CHUNK]
             u, gather = spans.locate(chunk)
+            if table.lengths is not None:
+                u /= gather(table.lengths)
             inputs: list[Any] = [gather(row) for row in rows]
             key = (np.ndim(inputs[0]) > 0, len(chunk))
             if key not in runners:

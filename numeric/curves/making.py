@@ -47,7 +47,7 @@ def read_breaks(domain: Any, segments: int) -> np.ndarray:
     ends = real_array(domain, "breaks")
     if ends.ndim != 1 or len(ends) < 2 or not np.isfinite(ends).all():
         raise BadValue("(start, end)", shown(domain), "Give two finite numbers.")
-    breaks = np.linspace(ends[0], ends[1], segments + 1) if len(ends) == 2 else ends
+    breaks = np.linspace(ends[0], ends[1], segments + 1) if len(ends) == 2 else ends.copy()
     if len(breaks) != segments + 1 or not (np.diff(breaks) > 0).all():
         raise BadValue(
             f"(start, end) or {segments + 1} increasing breaks",
