@@ -49,6 +49,8 @@ class Spans:
         A t outside the domain belongs to the first or last segment.
         """
         breaks = self.breaks
+        if len(breaks) == 2:
+            return t - breaks[0], lambda row: row[0]
         low, high = (self._search(end) for end in (t[0], t[-1]))
         if 8 * (high - low) <= len(t) and (t[1:] >= t[:-1]).all():
             if low == high:

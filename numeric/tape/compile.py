@@ -41,15 +41,26 @@ class Program:
         return [self._of[id(expression)] for expression in expressions]
 
     def live(self, roots: Iterable[int]) -> list[int]:
-        """Return the nodes needed for the roots, operands first."""
-        needed: set[int] = set()
-        stack = list(roots)
+        """Return the nodes needed for the roots, operands first.
+
+        Of two operands the one with the longer way to the inputs comes first, so that few
+        intermediate values wait for their use at the same time (Sethi and Ullman, JACM 17, 1970).
+        """
+        height = [0] * len(self.nodes)
+        for i in range(len(self.nodes)):  # operands have smaller numbers
+            height[i] = 1 + max((height[j] for j in self._operands(i)), default=0)
+        order: dict[int, None] = {}
+        stack = [(i, False) for i in reversed(list(roots))]
         while stack:
-            i = stack.pop()
-            if i not in needed:
-                needed.add(i)
-                stack.extend(self._operands(i))
-        return sorted(needed)
+            i, operands_done = stack.pop()
+            if i in order:
+                continue
+            if operands_done:
+                order[i] = None
+                continue
+            stack.append((i, True))
+            stack.extend((j, False) for j in sorted(self._operands(i), key=height.__getitem__))
+        return list(order)
 
     def _operands(self, i: int) -> tuple[int, ...]:
         operation, *operands = self.nodes[i]
