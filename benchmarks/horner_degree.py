@@ -10,8 +10,8 @@ from fractions import Fraction
 
 import numpy as np
 
+from numeric.curve import Curve
 from numeric.curves import evaluation as module
-from numeric.curves.curve import Curve
 from symbolic import de_casteljau
 
 PARAMETERS = [Fraction(k / 37) for k in range(38)]  # floats, taken exactly

@@ -1,6 +1,6 @@
 """Float64 kernels: the tape that runs derived formulas, piecewise curves, glyph outlines."""
 
-from .curves.curve import Curve
+from .curve import Curve
 from .glyphs import Glyph, glyph
 from .points import float_points, real_number
 from .tape.tape import Tape, compile_tape, flattened

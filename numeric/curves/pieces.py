@@ -8,19 +8,32 @@ import numpy as np
 
 from symbolic.errors import BadType, BadValue, OutsideDomain, shown
 
-from ..bernstein.form import part, split
+from ..bernstein import form
 from ..points import real_array, real_number
 from .making import common_rows, read_breaks
 
 if TYPE_CHECKING:
-    from .curve import Curve
+    from ..curve import Curve
 
 # Ends count as met within this fraction of the curves' size: some roundings.
 MEETING = 1e-12
 
 
-def split_curve(curve: Curve, t: Any) -> tuple[Curve, Curve]:
-    """Return the parts of a curve before and after t; see `Curve.split`."""
+def split(curve: Curve, t: Any) -> tuple[Curve, Curve]:
+    """Return the parts of the curve before and after t, by de Casteljau's algorithm.
+
+    Raises
+    ------
+    OutsideDomain, BadValue
+        Unless t lies inside the domain, and not at an end of it.
+
+    Examples
+    --------
+    >>> from numeric import Curve
+    >>> left, right = Curve.from_bezier([[0, 0], [1, 2], [2, 0]]).split(0.5)
+    >>> left.points.tolist(), right.domain
+    ([[[0.0, 0.0], [0.5, 1.0], [1.0, 1.0]]], (0.5, 1.0))
+    """
     at = _inside(curve, t)
     start, end = curve.domain
     if at in (start, end):
@@ -31,15 +44,20 @@ def split_curve(curve: Curve, t: Any) -> tuple[Curve, Curve]:
     rows, breaks = curve.rows, curve.breaks
     if at == breaks[i]:
         return curve.with_rows(rows[:i], breaks[: i + 1]), curve.with_rows(rows[i:], breaks[i:])
-    left, right = split(rows[i : i + 1], (at - breaks[i]) / (breaks[i + 1] - breaks[i]))
+    left, right = form.split(rows[i : i + 1], (at - breaks[i]) / (breaks[i + 1] - breaks[i]))
     return (
         curve.with_rows(np.concatenate([rows[:i], left]), np.append(breaks[: i + 1], at)),
         curve.with_rows(np.concatenate([right, rows[i + 1 :]]), np.insert(breaks[i + 1 :], 0, at)),
     )
 
 
-def restrict_curve(curve: Curve, start: Any, end: Any) -> Curve:
-    """Return the part of a curve on [start, end]; see `Curve.restrict`."""
+def restrict(curve: Curve, start: Any, end: Any) -> Curve:
+    """Return the part of the curve on [start, end].
+
+    >>> from numeric import Curve
+    >>> Curve.from_bezier([[0, 0], [1, 2], [2, 0]]).restrict(0.25, 0.5)(0.5)
+    array([1., 1.])
+    """
     a, b = _inside(curve, start), _inside(curve, end)
     if not a < b:
         raise BadValue("start < end", f"{a:g} and {b:g}", "Reverse the curve to run backwards.")
@@ -49,15 +67,31 @@ def restrict_curve(curve: Curve, start: Any, end: Any) -> Curve:
     held, ends = curve.rows[first : last + 1].copy(), breaks[first : last + 2].copy()
     low, high = np.clip(([a, b] - ends[[0, -2]]) / (ends[[1, -1]] - ends[[0, -2]]), 0, 1)
     if len(held) == 1:
-        held = part(held, low, high)
+        held = form.part(held, low, high)
     else:
-        held[:1], held[-1:] = part(held[:1], low, 1.0), part(held[-1:], 0.0, high)
+        held[:1], held[-1:] = form.part(held[:1], low, 1.0), form.part(held[-1:], 0.0, high)
     ends[[0, -1]] = a, b
     return curve.with_rows(held, ends)
 
 
-def join_curves(curves: Any) -> Curve:
-    """Return curves one after the other as a single one; see `Curve.join`."""
+def join(*curves: Curve) -> Curve:
+    """Return curves, each starting where the one before ends, as one.
+
+    Its domain starts as that of the first; the others are shifted to follow. Lower degrees
+    are raised, and it is rational if one of them is.
+
+    Raises
+    ------
+    BadValue
+        For a gap, or curves of different dimensions.
+
+    Examples
+    --------
+    >>> from numeric import Curve
+    >>> line = Curve.from_bezier([[0, 0], [1, 1]])
+    >>> Curve.join(line, Curve.from_bezier([[1, 1], [2, 2], [3, 0]], (5, 7)))
+    <Curve: 2 segments of degree 2 in 2D on [0, 3]>
+    """
     if not curves or not all(hasattr(curve, "with_rows") for curve in curves):
         raise BadType("curves", shown(curves), "Write Curve.join(first, second).")
     rows, rational = common_rows([(curve.rows, curve.rational) for curve in curves])
@@ -76,16 +110,33 @@ def join_curves(curves: Any) -> Curve:
     return type(curves[0])(rows, read_breaks(breaks, len(rows)), rational)
 
 
-def reversed_curve(curve: Curve) -> Curve:
-    """Return the curve run backwards on the same domain; see `Curve.reverse`."""
+def reverse(curve: Curve) -> Curve:
+    """Return the curve run backwards: c(start + end - t).
+
+    >>> from numeric import Curve
+    >>> Curve.from_bezier([[0, 0], [1, 2]], domain=(1, 3)).reverse()(1)
+    array([1., 2.])
+    """
     start, end = curve.domain
     breaks = (start + end) - curve.breaks[::-1]
     breaks[[0, -1]] = start, end
     return curve.with_rows(curve.rows[::-1, ::-1].copy(), read_breaks(breaks, len(curve)))
 
 
-def transformed(curve: Curve, matrix: Any, offset: Any) -> Curve:
-    """Return the curve mapped by x -> matrix x + offset; see `Curve.transform`."""
+def transform(curve: Curve, matrix: Any, offset: Any = None) -> Curve:
+    """Return the image under the affine map x -> matrix x + offset.
+
+    Parameters
+    ----------
+    matrix : number, or rows (k, dim); it may change the dimension
+    offset : k numbers, optional
+
+    Examples
+    --------
+    >>> from numeric import Curve
+    >>> Curve.from_bezier([[0, 0], [1, 2]]).transform([[0, 1], [1, 0]], [5, 0])(1)
+    array([7., 1.])
+    """
     linear = real_array(matrix, "a matrix")
     if linear.ndim == 0:
         linear = linear * np.eye(curve.dim)
@@ -112,8 +163,13 @@ def transformed(curve: Curve, matrix: Any, offset: Any) -> Curve:
     )
 
 
-def reparametrized(curve: Curve, domain: Any) -> Curve:
-    """Return the same points on another domain; see `Curve.reparametrize`."""
+def reparametrize(curve: Curve, domain: Any) -> Curve:
+    """Return the same points on another domain (start, end); breaks keep their proportions.
+
+    >>> from numeric import Curve
+    >>> Curve.from_bezier([[0, 0], [1, 2]]).reparametrize((0, 10))(5)
+    array([0.5, 1. ])
+    """
     ends = real_array(domain, "a domain")
     if ends.shape != (2,):
         raise BadValue("(start, end)", shown(domain), "Give two numbers.")
@@ -122,6 +178,16 @@ def reparametrized(curve: Curve, domain: Any) -> Curve:
     breaks = ends[0] + (curve.breaks - start) * ((ends[1] - ends[0]) / (end - start))
     breaks[[0, -1]] = ends
     return curve.with_rows(curve.rows, read_breaks(breaks, len(curve)))
+
+
+def elevate(curve: Curve, by: int = 1) -> Curve:
+    """Return the same curve written with degree n + by.
+
+    >>> from numeric import Curve
+    >>> Curve.from_bezier([[0, 0], [2, 2]]).elevate().points.tolist()
+    [[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]]
+    """
+    return curve.with_rows(form.elevate(curve.rows, by), curve.breaks)
 
 
 def _inside(curve: Curve, t: Any) -> float:

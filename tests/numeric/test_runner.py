@@ -7,7 +7,7 @@ import pytest
 import sympy as sp
 
 from numeric import compile_tape
-from numeric.curves.curve import Curve
+from numeric.curve import Curve
 from numeric.tape.runner import CHUNK
 from symbolic import de_casteljau
 

@@ -11,12 +11,11 @@ import sympy as sp
 from symbolic import NURBS, Basis, RationalBezier
 from symbolic.errors import BadType, BadValue, OutsideDomain, shown
 
-from ..bernstein.form import elevate
-from ..bernstein.roots import roots
-from ..points import real_array
-from . import derivatives, making, pieces
-from .evaluation import Table, coefficient_table, evaluate
-from .spans import Spans
+from .bernstein.roots import roots
+from .curves import derivatives, making, pieces
+from .curves.evaluation import Table, coefficient_table, evaluate
+from .curves.spans import Spans
+from .points import real_array
 
 
 class Curve:
@@ -289,120 +288,20 @@ class Curve:
             )
         return np.where(finite, t, np.nan)
 
-    def derivatives(self, t: Any, order: int) -> list[np.ndarray]:
-        """Return the points and the derivatives of order 1, ..., `order` at parameters t.
-
-        Returns
-        -------
-        list of order + 1 arrays, each of shape t.shape + (dim,)
-
-        Examples
-        --------
-        >>> arc = Curve.from_bezier([[1, 0], [1, 1], [0, 1]], weights=[1, 1, 2])
-        >>> arc.derivatives(0, 2)
-        [array([1., 0.]), array([0., 2.]), array([-4.,  0.])]
-        """
-        return derivatives.derivatives_at(self, t, order)
-
-    def derivative(self) -> Curve:
-        """Return the derivative by the curve's parameter, a curve (hodograph).
-
-        Of a polynomial curve it has degree n - 1 and control points n (P_{i+1} - P_i) / h on a
-        segment of length h; of a rational one degree 2n.
-
-        Examples
-        --------
-        >>> Curve.from_bezier([[0, 0], [1, 2], [2, 0]], domain=(0, 2)).derivative()(0)
-        array([1., 2.])
-        """
-        return derivatives.derivative_curve(self)
-
-    def split(self, t: Any) -> tuple[Curve, Curve]:
-        """Return the parts of the curve before and after t, by de Casteljau's algorithm.
-
-        Raises
-        ------
-        OutsideDomain, BadValue
-            Unless t lies inside the domain, and not at an end of it.
-
-        Examples
-        --------
-        >>> left, right = Curve.from_bezier([[0, 0], [1, 2], [2, 0]]).split(0.5)
-        >>> left.points.tolist(), right.domain
-        ([[[0.0, 0.0], [0.5, 1.0], [1.0, 1.0]]], (0.5, 1.0))
-        """
-        return pieces.split_curve(self, t)
-
-    def restrict(self, start: Any, end: Any) -> Curve:
-        """Return the part of the curve on [start, end].
-
-        >>> Curve.from_bezier([[0, 0], [1, 2], [2, 0]]).restrict(0.25, 0.5)(0.5)
-        array([1., 1.])
-        """
-        return pieces.restrict_curve(self, start, end)
-
-    @staticmethod
-    def join(*curves: Curve) -> Curve:
-        """Return curves, each starting where the one before ends, as one.
-
-        Its domain starts as that of the first; the others are shifted to follow. Lower degrees
-        are raised, and it is rational if one of them is.
-
-        Raises
-        ------
-        BadValue
-            For a gap, or curves of different dimensions.
-
-        Examples
-        --------
-        >>> line = Curve.from_bezier([[0, 0], [1, 1]])
-        >>> Curve.join(line, Curve.from_bezier([[1, 1], [2, 2], [3, 0]], (5, 7)))
-        <Curve: 2 segments of degree 2 in 2D on [0, 3]>
-        """
-        return pieces.join_curves(curves)
-
-    def reverse(self) -> Curve:
-        """Return the curve run backwards: c(start + end - t).
-
-        >>> Curve.from_bezier([[0, 0], [1, 2]], domain=(1, 3)).reverse()(1)
-        array([1., 2.])
-        """
-        return pieces.reversed_curve(self)
-
-    def transform(self, matrix: Any, offset: Any = None) -> Curve:
-        """Return the image under the affine map x -> matrix x + offset.
-
-        Parameters
-        ----------
-        matrix : number, or rows (k, dim); it may change the dimension
-        offset : k numbers, optional
-
-        Examples
-        --------
-        >>> Curve.from_bezier([[0, 0], [1, 2]]).transform([[0, 1], [1, 0]], [5, 0])(1)
-        array([7., 1.])
-        """
-        return pieces.transformed(self, matrix, offset)
-
-    def reparametrize(self, domain: Any) -> Curve:
-        """Return the same points on another domain (start, end); breaks keep their proportions.
-
-        >>> Curve.from_bezier([[0, 0], [1, 2]]).reparametrize((0, 10))(5)
-        array([0.5, 1. ])
-        """
-        return pieces.reparametrized(self, domain)
-
-    def elevate(self, by: int = 1) -> Curve:
-        """Return the same curve written with degree n + by.
-
-        >>> Curve.from_bezier([[0, 0], [2, 2]]).elevate().points.tolist()
-        [[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]]
-        """
-        return self.with_rows(elevate(self.rows, by), self.breaks)
-
     def with_rows(self, rows: np.ndarray, breaks: np.ndarray) -> Curve:
         """Return a curve of the same kind from rows of Bernstein coefficients."""
         return type(self)(rows, breaks, self.rational)
+
+    # What can be done with a curve stands in the rooms below, as functions of a curve.
+    split = pieces.split
+    restrict = pieces.restrict
+    join = staticmethod(pieces.join)
+    reverse = pieces.reverse
+    transform = pieces.transform
+    reparametrize = pieces.reparametrize
+    elevate = pieces.elevate
+    derivative = derivatives.derivative
+    derivatives = derivatives.derivatives
 
     def __repr__(self) -> str:
         start, end = self.domain
