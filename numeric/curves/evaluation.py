@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -9,7 +10,7 @@ import numpy as np
 from ..bernstein.evaluation import point_tape
 from ..bernstein.form import to_powers
 from ..tape.runner import CHUNK, Runner
-from .spans import Spans
+from .spans import Spans, Workspace
 
 # Largest error against exact values, relative to the largest control point, over random and
 # alternating control points: degree 3 1e-15, 5 6e-15, 7 5e-14, 8 2e-13, 12 2e-11, 20 5e-8. The
@@ -63,23 +64,28 @@ def evaluate(table: Table, rational: bool, spans: Spans, t: np.ndarray) -> np.nd
 
     Notes
     -----
-    A chunk that lies in one segment reads its coefficients as numbers; one of increasing
-    parameters repeats them by segment; any other gathers them by index.
+    A chunk that lies in one segment reads its coefficients as numbers, any other one fetches them
+    by index, each into the cache where it is needed.
     """
     count, columns, _ = table.coefficients.shape
     tape = point_tape(count - 1, columns, rational, count - 1 <= HORNER_DEGREE)
     rows = table.coefficients.reshape(count * columns, -1)
     out = np.empty((columns - rational, len(t)))
+    work, local = Workspace.of(min(len(t), CHUNK)), np.empty(min(len(t), CHUNK))
     runners: dict[tuple[bool, int], Runner] = {}
     with np.errstate(all="ignore"):
-        for start in range(0, len(t), CHUNK):
-            chunk = t[start : start + CHUNK]
-            u, gather = spans.locate(chunk)
+        for first in range(0, len(t), CHUNK):
+            chunk = t[first : first + CHUNK]
+            u = local[: len(chunk)]
+            one, gather = spans.locate(chunk, work)
+            beginning = gather(spans.breaks, u)
+            u = chunk if one and beginning == 0 else np.subtract(chunk, beginning, out=u)
             if table.lengths is not None:
-                u /= gather(table.lengths)
-            inputs: list[Any] = [gather(row) for row in rows]
-            key = (np.ndim(inputs[0]) > 0, len(chunk))
+                u = u / gather(table.lengths, work.numbers[: len(chunk)])
+            key = (one, len(chunk))
             if key not in runners:
-                runners[key] = Runner(tape, [np.shape(value) for value in (*inputs, u)])
-            runners[key].run([*inputs, u], out[:, start : start + CHUNK])
+                shapes = [() if one else u.shape] * len(rows) + [u.shape]
+                runners[key] = Runner(tape, shapes, () if one else range(len(rows)))
+            inputs = [gather(row, u) if one else partial(gather, row) for row in rows]
+            runners[key].run([*inputs, u], out[:, first : first + CHUNK])
     return out

@@ -4,15 +4,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-# Buckets a span: twice as many are not faster for 1000 spans and fall out of the cache for more.
-BUCKETS = 8
-MOST_BUCKETS = 1 << 20
+BUCKETS = 16  # a span
+LEAST_BUCKETS = 1 << 11
+MOST_BUCKETS = 1 << 19  # more fall out of the cache
 STEPS = 4  # from segment to segment inside a bucket, before searching
+
+Gather = Callable[[np.ndarray, np.ndarray], Any]
+
+
+class Workspace(NamedTuple):
+    """Arrays that are used chunk after chunk: new ones cost more than what is done with them."""
+
+    numbers: np.ndarray
+    buckets: np.ndarray
+    segments: np.ndarray
+
+    @classmethod
+    def of(cls, size: int) -> Workspace:
+        """Make one for chunks of at most this size."""
+        return cls(np.empty(size), np.empty(size, np.intp), np.empty(size, np.intp))
 
 
 @dataclass(frozen=True)
@@ -23,6 +37,7 @@ class Spans:
     """
 
     breaks: np.ndarray
+    ends: np.ndarray  # of the segments, of the last one infinity
     first: np.ndarray
     per_unit: float
 
@@ -32,53 +47,53 @@ class Spans:
 
         A bucket's number never falls as t grows, rounded or not: no parameter of a bucket is
         below a break of an earlier one.
-        """  # fmt: skip
+        """
         segments = len(breaks) - 1
-        count = min(BUCKETS * segments, MOST_BUCKETS) if segments > 1 else 1
+        count = min(max(BUCKETS * segments, LEAST_BUCKETS), MOST_BUCKETS) if segments > 1 else 1
         with np.errstate(over="ignore"):
             per_unit = float(count / (breaks[-1] - breaks[0]))
         if not np.isfinite(per_unit):  # a domain shorter than 1e-302: all in one bucket
             per_unit = 0.0
         buckets = ((breaks[:-1] - breaks[0]) * per_unit).astype(np.intp)
         first = np.maximum(np.searchsorted(buckets, np.arange(count)) - 1, 0)
-        return cls(breaks, first, per_unit)
+        return cls(breaks, np.append(breaks[1:-1], np.inf), first, per_unit)
 
-    def locate(self, t: np.ndarray) -> tuple[np.ndarray, Callable[[np.ndarray], Any]]:
-        """Return t - start of its segment, and how to gather a value of every segment.
+    def locate(self, t: np.ndarray, work: Workspace) -> tuple[bool, Gather]:
+        """Return whether all t belong to one segment, and how to gather what belongs to them.
 
-        A t outside the domain belongs to the first or last segment.
+        `gather(row, into)` returns the entry of `row` for the segment of every t, in the array
+        `into` where that is faster, or one number for all. A t outside the domain belongs to the
+        first or last segment.
         """
-        breaks = self.breaks
-        if len(breaks) == 2:
-            return t - breaks[0], lambda row: row[0]
         low, high = (self._search(end) for end in (t[0], t[-1]))
-        if 8 * (high - low) <= len(t) and (t[1:] >= t[:-1]).all():
-            if low == high:
-                return t - breaks[low], lambda row: row[low]
-            cuts = np.searchsorted(t, breaks[low + 1 : high + 1])
-            counts = np.diff(cuts, prepend=0, append=len(t))
-            held = slice(low, high + 1)
-            return t - np.repeat(breaks[held], counts), lambda row: np.repeat(row[held], counts)
-        segment = self.segment(t)
-        return t - breaks.take(segment), partial(np.take, indices=segment)
+        if len(self.breaks) > 2 and (8 * (high - low) > len(t) or not (t[1:] >= t[:-1]).all()):
+            segment = self.segment(t, work)
+            return False, lambda row, into: row.take(segment, None, into, "clip")
+        if low == high:
+            return True, lambda row, into: row[low]
+        cuts = np.searchsorted(t, self.breaks[low + 1 : high + 1])
+        held, counts = slice(low, high + 1), np.diff(cuts, prepend=0, append=len(t))
+        return False, lambda row, into: np.repeat(row[held], counts)
 
-    def segment(self, t: np.ndarray) -> np.ndarray:
-        """Return the index of the segment of every t."""
-        scaled = t - self.breaks[0]
-        scaled *= self.per_unit
+    def segment(self, t: np.ndarray, work: Workspace | None = None) -> np.ndarray:
+        """Return the index of the segment of every t, in `work.segments` if that is given."""
+        work = work or Workspace.of(len(t))
+        numbers, buckets, segment = (array[: len(t)] for array in work)
+        np.subtract(t, self.breaks[0], out=numbers)
+        numbers *= self.per_unit
         # Whatever the number of its bucket, no t is left behind: not one too large for an index
         # (it becomes negative, and is clipped to the first), nor NaN.
-        segment = self.first.take(scaled.astype(np.intp), mode="clip")
-        ends = self.breaks[1:]
-        ahead = np.flatnonzero(t >= ends.take(segment))
+        np.copyto(buckets, numbers, casting="unsafe")
+        self.first.take(buckets, out=segment, mode="clip")  # "raise" would write to a copy
+        self.ends.take(segment, out=numbers, mode="clip")
+        ahead = np.flatnonzero(t >= numbers)
         for _ in range(STEPS):
             if not len(ahead):
                 break
             segment[ahead] += 1
-            ahead = ahead[t[ahead] >= ends.take(segment[ahead], mode="clip")]
-            ahead = ahead[segment[ahead] < len(ends)]
-        segment[ahead] = np.searchsorted(self.breaks, t[ahead], side="right") - 1
-        return np.minimum(segment, len(ends) - 1, out=segment)
+            ahead = ahead[t[ahead] >= self.ends.take(segment[ahead], mode="clip")]
+        segment[ahead] = np.searchsorted(self.breaks[1:-1], t[ahead], side="right")
+        return segment
 
     def _search(self, t: float) -> int:
         found = int(np.searchsorted(self.breaks, t, side="right")) - 1
