@@ -8,7 +8,7 @@ from math import comb
 import numpy as np
 import sympy as sp
 
-from ..tape.runner import CHUNK, Runner
+from ..tape.runner import CHUNK, Plan, Runner
 from ..tape.tape import Tape, compile_tape
 
 
@@ -27,6 +27,17 @@ def point_tape(degree: int, columns: int, rational: bool, horner: bool) -> Tape:
     if rational:
         values = [value / values[-1] for value in values[:-1]]
     return compile_tape({"point": values}, [*sum(names, ()), u])
+
+
+@lru_cache(maxsize=256)
+def point_plan(degree: int, columns: int, rational: bool, horner: bool, one: bool) -> Plan:
+    """Return the plan of `point_tape` at arrays of u, for the coefficients of one segment.
+
+    Or else of many: then they are fetched, as arrays like u.
+    """
+    tape = point_tape(degree, columns, rational, horner)
+    count = (degree + 1) * columns
+    return Plan(tape, [() if one else (1,)] * count + [(1,)], () if one else range(count))
 
 
 def _horner(coefficients: tuple[sp.Symbol, ...], u: sp.Symbol) -> sp.Expr:
@@ -54,11 +65,11 @@ def values_at(rows: np.ndarray, u: np.ndarray) -> np.ndarray:
            [0.5]])
     """
     count, points, columns = rows.shape
-    tape = point_tape(points - 1, columns, False, False)
     out = np.empty((columns, count))
-    table = rows.reshape(count, -1).T
+    table = rows.reshape(count, points * columns).T
+    plan = point_plan(points - 1, columns, False, False, False)
     for start in range(0, count, CHUNK):
         part = slice(start, start + CHUNK)
-        inputs = [*table[:, part], u[part]]
-        Runner(tape, [array.shape for array in inputs]).run(inputs, out[:, part])
+        coefficients = [lambda into, row=row: row for row in table[:, part]]
+        Runner(plan, len(u[part])).run([*coefficients, u[part]], out[:, part])
     return out.T

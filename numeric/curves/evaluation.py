@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..bernstein.evaluation import point_tape
+from ..bernstein.evaluation import point_plan
 from ..bernstein.form import to_powers
 from ..tape.runner import CHUNK, Runner
 from .spans import Spans, Workspace
@@ -68,7 +68,7 @@ def evaluate(table: Table, rational: bool, spans: Spans, t: np.ndarray) -> np.nd
     by index, each into the cache where it is needed.
     """
     count, columns, _ = table.coefficients.shape
-    tape = point_tape(count - 1, columns, rational, count - 1 <= HORNER_DEGREE)
+    kind = count - 1, columns, rational, count - 1 <= HORNER_DEGREE
     rows = table.coefficients.reshape(count * columns, -1)
     out = np.empty((columns - rational, len(t)))
     work, local = Workspace.of(min(len(t), CHUNK)), np.empty(min(len(t), CHUNK))
@@ -84,8 +84,7 @@ def evaluate(table: Table, rational: bool, spans: Spans, t: np.ndarray) -> np.nd
                 u = u / gather(table.lengths, work.numbers[: len(chunk)])
             key = (one, len(chunk))
             if key not in runners:
-                shapes = [() if one else u.shape] * len(rows) + [u.shape]
-                runners[key] = Runner(tape, shapes, () if one else range(len(rows)))
+                runners[key] = Runner(point_plan(*kind, one), len(chunk))
             inputs = [gather(row, u) if one else partial(gather, row) for row in rows]
             runners[key].run([*inputs, u], out[:, first : first + CHUNK])
     return out

@@ -65,8 +65,10 @@ class Spans:
         `into` where that is faster, or one number for all. A t outside the domain belongs to the
         first or last segment.
         """
+        if len(self.breaks) == 2:
+            return True, lambda row, into: row[0]
         low, high = (self._search(end) for end in (t[0], t[-1]))
-        if len(self.breaks) > 2 and (8 * (high - low) > len(t) or not (t[1:] >= t[:-1]).all()):
+        if 8 * (high - low) > len(t) or not (t[1:] >= t[:-1]).all():
             segment = self.segment(t, work)
             return False, lambda row, into: row.take(segment, None, into, "clip")
         if low == high:
@@ -96,5 +98,5 @@ class Spans:
         return segment
 
     def _search(self, t: float) -> int:
-        found = int(np.searchsorted(self.breaks, t, side="right")) - 1
+        found = int(self.breaks.searchsorted(t, side="right")) - 1
         return min(max(found, 0), len(self.breaks) - 2)

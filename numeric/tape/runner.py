@@ -22,48 +22,53 @@ CHUNK = 16384
 Shape = tuple[int, ...]
 
 
-class Runner:
-    """A tape with buffers for inputs of given shapes; it serves one caller, chunk after chunk.
+class Plan:
+    """What a tape does with inputs of given shapes, and which buffers it takes turns in.
 
     Parameters
     ----------
-    fetched : inputs that `run` is given as functions; each is called with a buffer to fill where
-        its values are first needed, so that few of them wait in the cache for their turn
+    fetched : inputs that are given as functions; each is called with a buffer to fill where its
+        values are first needed, so that few of them wait in the cache for their turn
 
     Attributes
     ----------
     common : the shape that those of the inputs broadcast to
-    outputs : the registers of all entries of all outputs, in order
+    steps : (kernel or None to fetch, operands, register, output or buffer it is written to)
+    buffers : the shapes of all buffers
+    copied : (output, register) where a value is wanted that is computed somewhere else
     """
 
     def __init__(self, tape: Tape, shapes: Sequence[Shape], fetched: Iterable[int] = ()) -> None:
         self.common = _common(set(shapes))
-        self.outputs = [r for output in tape.outputs.values() for r in output.registers]
-        self._constants = [
-            p[0] / p[1] if isinstance(p, tuple) else float(p) for p in tape.constants
-        ]
-        # (kernel or None to fetch, operands, register, where its values are to be written)
-        self._steps: list[tuple[Any, tuple[int, ...], int, int | np.ndarray | None]] = []
-        self._row: dict[int, int] = {}  # of the registers that are computed where they are wanted
-        self._assign_buffers(tape, [*shapes, *(() for _ in self._constants)], set(fetched))
-        self._copied = [(k, r) for k, r in enumerate(self.outputs) if self._row.get(r) != k]
+        self.constants = [p[0] / p[1] if isinstance(p, tuple) else float(p) for p in tape.constants]
+        self.steps: list[tuple[Any, tuple[int, ...], int, tuple[bool, int] | None]] = []
+        self.buffers: list[Shape] = []
+        outputs = [r for output in tape.outputs.values() for r in output.registers]
+        direct = self._assign(tape, outputs, [*shapes, *(() for _ in self.constants)], set(fetched))
+        self.copied = [(k, r) for k, r in enumerate(outputs) if direct.get(r) != k]
 
-    def _assign_buffers(self, tape: Tape, shape: list[Shape], waiting: set[int]) -> None:
+    def _assign(
+        self, tape: Tape, outputs: list[int], shape: list[Shape], waiting: set[int]
+    ) -> dict[int, int]:
+        """Append all steps, and return which registers are computed as which output."""
         last_use = {r: i for i, (_, *operands) in enumerate(tape.instructions) for r in operands}
-        last_use |= dict.fromkeys(self.outputs, len(tape.instructions))  # read at the end
-        wanted = {r: k for k, r in reversed(list(enumerate(self.outputs)))}
-        free: dict[Shape, list[np.ndarray]] = {}
-        held: dict[int, np.ndarray] = {}
+        last_use |= dict.fromkeys(outputs, len(tape.instructions))  # read at the end
+        wanted = {r: k for k, r in reversed(list(enumerate(outputs)))}
+        free: dict[Shape, list[int]] = {}
+        held: dict[int, int] = {}
+        direct: dict[int, int] = {}
 
-        def buffer(register: int) -> np.ndarray:
+        def buffer(register: int) -> tuple[bool, int]:
             pool = free.get(shape[register])
-            held[register] = pool.pop() if pool else np.empty(shape[register])
-            return held[register]
+            if not pool:
+                self.buffers.append(shape[register])
+            held[register] = pool.pop() if pool else len(self.buffers) - 1
+            return False, held[register]
 
         def fetch(registers: set[int]) -> None:
             for r in sorted(registers):
                 waiting.remove(r)
-                self._steps.append((None, (), r, buffer(r)))
+                self.steps.append((None, (), r, buffer(r)))
 
         for i, (operation, *operands) in enumerate(tape.instructions):
             fetch(waiting.intersection(operands))
@@ -71,27 +76,38 @@ class Runner:
             shape.append(own)
             for r in {r for r in operands if last_use[r] == i and r in held}:
                 free.setdefault(shape[r], []).append(held.pop(r))
-            target: int | np.ndarray | None = None
+            target: tuple[bool, int] | None = None
             if register in wanted and own == self.common != ():
-                target = self._row[register] = wanted[register]
+                direct[register] = wanted[register]
+                target = True, wanted[register]
             elif own != ():
                 target = buffer(register)
-            self._steps.append((KERNELS[operation], tuple(operands), register, target))
-        fetch(waiting.intersection(self.outputs))
+            self.steps.append((KERNELS[operation], tuple(operands), register, target))
+        fetch(waiting.intersection(outputs))
+        return direct
+
+
+class Runner:
+    """A plan with its buffers; it serves one caller, chunk after chunk.
+
+    With a size, every array of the plan is one of this many entries.
+    """
+
+    def __init__(self, plan: Plan, size: int | None = None) -> None:
+        self.plan = plan
+        self.buffers = [np.empty(shape if size is None else size) for shape in plan.buffers]
 
     def run(self, inputs: Sequence[Any], out: np.ndarray) -> None:
-        """Run on inputs of the shapes given; row k of `out` becomes output entry k."""
-        registers: list[Any] = [*inputs, *self._constants]
-        registers += [None] * len(self._steps)
-        for kernel, operands, register, target in self._steps:
-            if kernel is None:
-                registers[register] = registers[register](target)
-                continue
+        """Run on inputs of the shapes planned; row k of `out` becomes output entry k."""
+        plan = self.plan
+        registers: list[Any] = [*inputs, *plan.constants, *(None for _ in plan.steps)]
+        for kernel, operands, register, target in plan.steps:
             arguments = [registers[r] for r in operands]
             if target is not None:
-                arguments.append(out[target] if isinstance(target, int) else target)
-            registers[register] = kernel(*arguments)
-        for k, r in self._copied:
+                is_output, k = target
+                arguments.append(out[k] if is_output else self.buffers[k])
+            registers[register] = (kernel or registers[register])(*arguments)
+        for k, r in plan.copied:
             out[k] = registers[r]
 
 
@@ -117,7 +133,7 @@ def run_chunked(tape: Tape, arrays: Sequence[np.ndarray], out: np.ndarray) -> No
             return
         shapes = tuple(array.shape for array in inputs)
         if shapes not in runners:
-            runners[shapes] = Runner(tape, shapes)
+            runners[shapes] = Runner(Plan(tape, shapes))
         runners[shapes].run(inputs, rows)
 
     with np.errstate(all="ignore"):
