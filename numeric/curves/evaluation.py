@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import partial
 from typing import Any, NamedTuple
 
@@ -56,11 +57,17 @@ def _within(values: Any, bounds: tuple[float, float]) -> bool:
     return bool((values >= bounds[0]).all() and (values <= bounds[1]).all())
 
 
-def evaluate(table: Table, rational: bool, spans: Spans, t: np.ndarray) -> np.ndarray:
+def evaluate(
+    table: Table,
+    rational: bool,
+    spans: Spans,
+    t: np.ndarray,
+    check: Callable[[np.ndarray], np.ndarray] | None = None,
+) -> np.ndarray:
     """Return points at parameters t of one dimension, one coordinate a row: (dim, len(t)).
 
     A t outside the spans' domain belongs to the polynomial of the first or last segment; NaN gives
-    NaN.
+    NaN. `check` returns the parameters of a chunk as they are to be taken, or raises.
 
     Notes
     -----
@@ -76,6 +83,7 @@ def evaluate(table: Table, rational: bool, spans: Spans, t: np.ndarray) -> np.nd
     with np.errstate(all="ignore"):
         for first in range(0, len(t), CHUNK):
             chunk = t[first : first + CHUNK]
+            chunk = check(chunk) if check else chunk  # now that it comes into the cache
             u = local[: len(chunk)]
             one, gather = spans.locate(chunk, work)
             beginning = gather(spans.breaks, u)

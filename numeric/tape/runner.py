@@ -6,7 +6,8 @@ only for the inputs and written only for the outputs.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Callable, Iterable, Sequence
+from operator import itemgetter
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -33,16 +34,24 @@ class Plan:
     Attributes
     ----------
     common : the shape that those of the inputs broadcast to
-    steps : (kernel or None to fetch, operands, register, output or buffer it is written to)
+    steps : (kernel, how to get its arguments, register of its result); where the kernel is None,
+        an input is called instead
+    pending : a None for every register that is computed
     buffers : the shapes of all buffers
     copied : (output, register) where a value is wanted that is computed somewhere else
+
+    Notes
+    -----
+    Arguments are found by their places in one list: all registers, then the outputs, then the
+    buffers. An array is written to an output where it can be, and to a buffer otherwise.
     """
 
     def __init__(self, tape: Tape, shapes: Sequence[Shape], fetched: Iterable[int] = ()) -> None:
         self.common = _common(set(shapes))
         self.constants = [p[0] / p[1] if isinstance(p, tuple) else float(p) for p in tape.constants]
-        self.steps: list[tuple[Any, tuple[int, ...], int, tuple[bool, int] | None]] = []
+        self.steps: list[tuple[Any, Callable[[list[Any]], Sequence[Any]], int]] = []
         self.buffers: list[Shape] = []
+        self.pending = [None] * len(tape.instructions)
         outputs = [r for output in tape.outputs.values() for r in output.registers]
         direct = self._assign(tape, outputs, [*shapes, *(() for _ in self.constants)], set(fetched))
         self.copied = [(k, r) for k, r in enumerate(outputs) if direct.get(r) != k]
@@ -51,6 +60,9 @@ class Plan:
         self, tape: Tape, outputs: list[int], shape: list[Shape], waiting: set[int]
     ) -> dict[int, int]:
         """Append all steps, and return which registers are computed as which output."""
+        first = len(shape)
+        first_output = first + len(tape.instructions)
+        first_buffer = first_output + len(outputs)
         last_use = {r: i for i, (_, *operands) in enumerate(tape.instructions) for r in operands}
         last_use |= dict.fromkeys(outputs, len(tape.instructions))  # read at the end
         wanted = {r: k for k, r in reversed(list(enumerate(outputs)))}
@@ -58,31 +70,31 @@ class Plan:
         held: dict[int, int] = {}
         direct: dict[int, int] = {}
 
-        def buffer(register: int) -> tuple[bool, int]:
+        def buffer(register: int) -> int:
             pool = free.get(shape[register])
             if not pool:
                 self.buffers.append(shape[register])
-            held[register] = pool.pop() if pool else len(self.buffers) - 1
-            return False, held[register]
+            held[register] = pool.pop() if pool else first_buffer + len(self.buffers) - 1
+            return held[register]
 
         def fetch(registers: set[int]) -> None:
             for r in sorted(registers):
                 waiting.remove(r)
-                self.steps.append((None, (), r, buffer(r)))
+                self.steps.append((None, _getter([buffer(r)]), r))
 
         for i, (operation, *operands) in enumerate(tape.instructions):
             fetch(waiting.intersection(operands))
-            own, register = _common({shape[r] for r in operands}), len(shape)
+            own, register = _common({shape[r] for r in operands}), first + i
             shape.append(own)
             for r in {r for r in operands if last_use[r] == i and r in held}:
                 free.setdefault(shape[r], []).append(held.pop(r))
-            target: tuple[bool, int] | None = None
+            places = list(operands)
             if register in wanted and own == self.common != ():
                 direct[register] = wanted[register]
-                target = True, wanted[register]
+                places.append(first_output + wanted[register])
             elif own != ():
-                target = buffer(register)
-            self.steps.append((KERNELS[operation], tuple(operands), register, target))
+                places.append(buffer(register))
+            self.steps.append((KERNELS[operation], _getter(places), register))
         fetch(waiting.intersection(outputs))
         return direct
 
@@ -100,15 +112,17 @@ class Runner:
     def run(self, inputs: Sequence[Any], out: np.ndarray) -> None:
         """Run on inputs of the shapes planned; row k of `out` becomes output entry k."""
         plan = self.plan
-        registers: list[Any] = [*inputs, *plan.constants, *(None for _ in plan.steps)]
-        for kernel, operands, register, target in plan.steps:
-            arguments = [registers[r] for r in operands]
-            if target is not None:
-                is_output, k = target
-                arguments.append(out[k] if is_output else self.buffers[k])
-            registers[register] = (kernel or registers[register])(*arguments)
+        places = [*inputs, *plan.constants, *plan.pending, *out, *self.buffers]
+        for kernel, arguments, register in plan.steps:
+            places[register] = (kernel or places[register])(*arguments(places))
         for k, r in plan.copied:
-            out[k] = registers[r]
+            out[k] = places[r]
+
+
+def _getter(places: list[int]) -> Callable[[list[Any]], Sequence[Any]]:
+    if len(places) == 1:  # of one, itemgetter returns no sequence
+        return lambda values: [values[places[0]]]
+    return itemgetter(*places)
 
 
 def _common(shapes: set[Shape]) -> Shape:
