@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -15,6 +15,7 @@ from .bernstein.roots import roots
 from .curves import derivatives, making, pieces
 from .curves.evaluation import Table, coefficient_table, evaluate
 from .curves.spans import Spans
+from .measures import arc_length, boxes, curvature, inflections, length, nearest
 from .points import real_array
 
 
@@ -270,13 +271,13 @@ class Curve:
             If some t is outside the domain, unless it may extrapolate.
         """
         t = real_array(t, "parameters")
-        flat = self._inside(t.ravel(), extrapolate)
-        out = evaluate(self._table, self.rational, self.spans, flat)
+        check = partial(self._inside, extrapolate=extrapolate)
+        out = evaluate(self._table, self.rational, self.spans, t.ravel(), check)
         return out.T.reshape((*t.shape, len(out)))
 
     def _inside(self, t: np.ndarray, extrapolate: bool) -> np.ndarray:
         start, end = self.domain
-        if not len(t) or (t.min() >= start and t.max() <= end):
+        if t.min() >= start and t.max() <= end:
             return t
         finite = np.isfinite(t)
         outside = finite & ((t < start) | (t > end))
@@ -302,6 +303,13 @@ class Curve:
     elevate = pieces.elevate
     derivative = derivatives.derivative
     derivatives = derivatives.derivatives
+    bounding_box = boxes.bounding_box
+    length = length.length
+    parameter_at_length = arc_length.parameter_at_length
+    parameters_by_arc_length = arc_length.parameters_by_arc_length
+    curvature = curvature.curvature
+    inflections = inflections.inflections
+    nearest = nearest.nearest
 
     def __repr__(self) -> str:
         start, end = self.domain

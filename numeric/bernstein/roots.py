@@ -73,9 +73,11 @@ def roots(coefficients: np.ndarray, noise: np.ndarray | None = None) -> Roots:
     array([0.369398, 0.773459])
     """
     f = np.asarray(coefficients, float)
+    power = np.frexp(np.abs(f).max(axis=1))[1]
+    f = np.ldexp(f, -power[:, None])  # of size 1: no product overflows or vanishes
     size = np.abs(f).max(axis=1)
     own = f.shape[1] * EPSILON * size
-    noise = own if noise is None else np.maximum(noise, own)
+    noise = own if noise is None else np.maximum(np.ldexp(noise, -power), own)
     found = _Found()
     row = np.flatnonzero(size > noise)
     f, noise = f[row], noise[row]
@@ -121,29 +123,35 @@ def _sign_changes(f: np.ndarray) -> np.ndarray:
 
 
 def _enclosed(f: np.ndarray) -> np.ndarray:
-    """Return the only root of every row in (0, 1): Newton's steps, halvings where they leave it."""
+    """Return the only root of every row in (0, 1), by Newton's method.
+
+    Its bracket is halved instead where a step leaves it, or is not half as long as the step
+    before the last (Brent's and Dekker's safeguard): at most two steps a bit.
+    """
     rows = np.concatenate([f[:, :, None], elevate(derivative(f))[:, :, None]], axis=2)
     first = np.sign(f[np.arange(len(f)), (f != 0).argmax(axis=1)])
-    last = np.sign(f[np.arange(len(f)), -1 - (f[:, ::-1] != 0).argmax(axis=1)])
-    low, high = np.zeros(len(f)), np.ones(len(f))
     u = _secant(f)
-    busy = np.flatnonzero(first * last < 0)
-    for _ in range(2 * DEEPEST):
-        if not len(busy):
-            break
-        at = u[busy]
+    low, high = np.zeros(len(f)), np.ones(len(f))
+    last, before = np.ones(len(f)), np.ones(len(f))
+    busy = np.arange(len(f))
+    for _ in range(4 * DEEPEST):
+        at, a, b = u[busy], low[busy], high[busy]
         value, slope = values_at(rows[busy], at).T
         below = np.sign(value) == first[busy]
-        low[busy] = np.where(below, at, low[busy])
-        high[busy] = np.where(below, high[busy], at)
+        a, b = np.where(below, at, a), np.where(below, b, at)
         with np.errstate(all="ignore"):
             newton = at - value / slope
-        a, b = low[busy], high[busy]
-        inside = (newton > a) & (newton < b)
-        step = np.where(inside, newton, (a + b) / 2)
-        done = (value == 0) | (np.abs(step - at) <= EPSILON * np.maximum(step, EPSILON))
-        u[busy] = np.where(value == 0, at, step)
-        busy = busy[~(done | (b - a <= EPSILON * b))]
+            length = np.abs(newton - at)
+        settled = (value == 0) | (length <= EPSILON * at) | (b - a <= EPSILON * b)
+        step = np.where(
+            (newton > a) & (newton < b) & (2 * length < before[busy]), newton, (a + b) / 2
+        )
+        step = np.where(settled, at, step)
+        u[busy], low[busy], high[busy] = step, a, b
+        before[busy], last[busy] = last[busy], np.abs(step - at)
+        busy = busy[~settled]
+        if not len(busy):
+            break
     return u
 
 
