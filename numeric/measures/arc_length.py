@@ -102,7 +102,8 @@ def _inverse(curve: Curve, speeds: Speed, table: Stretches, s: np.ndarray) -> np
         rest = s[chosen] - (ends[k] - table.length[k])
         u = _within(speeds, table, k, rest)
         out[chosen] = parameters(curve, table.segment[k], u)
-    out[s <= 0], out[s >= ends[-1]] = curve.domain
+    out[s >= ends[-1]] = curve.domain[1]
+    out[s <= 0] = curve.domain[0]
     return out
 
 
