@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from fractions import Fraction
-from functools import cached_property, lru_cache
-from io import BytesIO
-from pathlib import Path
-from typing import Any
+from functools import cached_property
 
-from symbolic.errors import BadValue, shown
+from symbolic.errors import BadValue
+
+from .fonts import glyph_name, open_font
 
 Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, ...]
@@ -70,19 +69,13 @@ def glyph(character: str, font: str = "DejaVu Sans") -> Glyph:
         For more or less than one character, a font that is not found or is not TrueType, and a
         character that the font does not have.
     """
-    if not isinstance(character, str) or len(character) != 1:
-        count = f", {len(character)} characters" if isinstance(character, str) else ""
+    tables = open_font(font)
+    name = glyph_name(character, tables, font)
+    if "glyf" not in tables:
         raise BadValue(
-            "one character", shown(character) + count, 'Ask for one letter, such as glyph("a").'
-        )
-    tables = _font(str(_font_file(font)))
-    name = tables.getBestCmap().get(ord(character))
-    if name is None:
-        raise BadValue(
-            f"a character that {font} has",
-            f"{character!r} (U+{ord(character):04X})",
-            "Choose another character or another font.",
-        )
+            "a font with TrueType outlines", str(font),
+            "numeric.bridges.from_font reads cubic ones (CFF), too.",
+        )  # fmt: skip
     outlines = tables["glyf"]
     coordinates, ends, on_curve = outlines[name].getCoordinates(outlines)[:3]
     points = [(x, y, bool(on & 1)) for (x, y), on in zip(coordinates, on_curve, strict=True)]
@@ -113,30 +106,3 @@ def _with_implied_points(contour: tuple[tuple[int, int, bool], ...]) -> list[tup
         if not a_on and not b_on:
             points.append(((Fraction(ax + bx, 2), Fraction(ay + by, 2)), True))
     return points
-
-
-def _font_file(font: str) -> Path:
-    import matplotlib
-
-    if not isinstance(font, str | Path) or len(str(font)) > 500:
-        raise BadValue("the name or path of a font", shown(font), 'Try glyph("a", "DejaVu Sans").')
-    shipped = Path(matplotlib.get_data_path()) / "fonts" / "ttf"
-    for candidate in (Path(font), shipped / f"{str(font).replace(' ', '')}.ttf"):
-        if candidate.suffix.lower() == ".ttf" and candidate.is_file():
-            return candidate
-    known = ", ".join(sorted(path.stem for path in shipped.glob("DejaVu*.ttf")))
-    raise BadValue("a TrueType font", shown(font), f"Matplotlib ships {known}; or give a path.")
-
-
-@lru_cache(maxsize=8)
-def _font(path: str) -> Any:
-    from fontTools.ttLib import TTFont, TTLibError
-
-    try:
-        tables = TTFont(BytesIO(Path(path).read_bytes()), lazy=True)
-        tables.getBestCmap()  # read now what a damaged file may lack
-    except (TTLibError, KeyError, AssertionError) as error:
-        raise BadValue("a TrueType font file", f"{path} ({error})", "Give another file.") from None
-    if "glyf" not in tables:
-        raise BadValue("a font with TrueType outlines", path, "Cubic (CFF) fonts come later.")
-    return tables
