@@ -15,6 +15,7 @@ from .bernstein.roots import roots
 from .curves import derivatives, making, pieces
 from .curves.evaluation import Table, coefficient_table, evaluate
 from .curves.spans import Spans
+from .flattening import flatten
 from .measures import arc_length, boxes, curvature, inflections, length, nearest
 from .points import real_array
 
@@ -303,6 +304,8 @@ class Curve:
     elevate = pieces.elevate
     derivative = derivatives.derivative
     derivatives = derivatives.derivatives
+    flat_parameters = flatten.flat_parameters
+    flatten = flatten.flatten
     bounding_box = boxes.bounding_box
     length = length.length
     parameter_at_length = arc_length.parameter_at_length

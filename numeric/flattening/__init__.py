@@ -1,0 +1,1 @@
+"""Curves as polylines that stay within a tolerance of them."""
