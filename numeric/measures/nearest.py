@@ -12,7 +12,7 @@ from ..bernstein import form
 from ..bernstein.evaluation import values_at
 from ..bernstein.roots import EPSILON, roots
 from ..points import real_array
-from .candidates import candidates, tree
+from .candidates import Tree, candidates, tree
 from .scale import at_places, parameters, row_scales, unit
 
 if TYPE_CHECKING:
@@ -81,11 +81,10 @@ def nearest(curve: Curve, points: Any) -> Nearest:
     whole = unit(curve)
     with np.errstate(over="ignore"):  # very distant points compare as infinitely far
         moved = flat / whole.scale - whole.start
-        below = tree(whole.rows, curve.dim)
+        below = tree(whole.rows, curve.dim, len(flat))
         for point, piece in candidates(below.levels, moved):
-            point, piece, u, distance = _least(below.rows, moved, point, piece)
-            segment, part = np.divmod(piece, below.per_segment)
-            u = (part + u) / below.per_segment
+            point, piece, u, distance = _least(below, moved, point, piece)
+            segment, u = below.segment[piece], below.start[piece] + below.width * u
             found.t[point] = parameters(curve, segment, u)
             found.points[point] = at_places(curve, segment, u)
             found.distance[point] = distance * whole.scale
@@ -95,20 +94,21 @@ def nearest(curve: Curve, points: Any) -> Nearest:
 
 
 def _least(
-    rows: np.ndarray, points: np.ndarray, point: np.ndarray, piece: np.ndarray
+    below: Tree, points: np.ndarray, point: np.ndarray, piece: np.ndarray
 ) -> tuple[np.ndarray, ...]:
     """Return (point, piece, u, distance) of the nearest one of each point's local ones."""
     local = []
     for first in range(0, len(point), CHUNK):
         pairs = slice(first, first + CHUNK)
-        local.append(_local(rows, points, point[pairs], piece[pairs]))
+        local.append(_local(below.rows, points, point[pairs], piece[pairs]))
     point, piece, u, distance, blur = (
         np.concatenate(column) for column in zip(*local, strict=True)
     )
     least = np.full(len(points), np.inf)
     np.minimum.at(least, point, distance)
     near = np.flatnonzero(distance <= least[point] + blur)
-    near = near[np.lexsort((u[near], piece[near], point[near]))]
+    along = below.segment[piece[near]] + below.start[piece[near]] + below.width * u[near]
+    near = near[np.lexsort((along, point[near]))]
     near = near[np.diff(point[near], prepend=-1) > 0]
     return point[near], piece[near], u[near], distance[near]
 

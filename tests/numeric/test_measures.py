@@ -127,7 +127,7 @@ def test_nearly_cusps(end):
 @pytest.mark.parametrize("rational", [False, True])
 @pytest.mark.parametrize("k", range(1, 40))
 def test_no_kink_hides_between_the_nodes(k, rational):
-    """On a line the length is what is gone down and up; (t - a)^2 / (1 + t^2) turns at a and -1/a."""
+    """(t - a)^2 / (1 + t^2) turns at a and -1/a; the length on a line is that of both ways."""
     at = sp.Rational(k, 1000 if k % 2 else 41)
     below = 1 + t**2 if rational else sp.Integer(1)
     points = [(t - at) ** 2 / below]
