@@ -67,7 +67,8 @@ def control_boxes(rows: np.ndarray, dim: int) -> tuple[np.ndarray, np.ndarray]:
 
 def _slope(scalar: np.ndarray) -> np.ndarray:
     """Return the numerator of the derivative of functions (m, n + 1, 1), or N and w (.., 2)."""
-    if scalar.shape[2] == 1:
-        return form.derivative(scalar[..., 0])
-    n, w = (column / row_scales(column)[:, None] for column in np.moveaxis(scalar, 2, 0))
+    n, *below = (column / row_scales(column)[:, None] for column in np.moveaxis(scalar, 2, 0))
+    if not below:
+        return form.derivative(n)
+    w = below[0]
     return form.product(form.derivative(n), w) - form.product(n, form.derivative(w))

@@ -23,9 +23,9 @@ def length(curve: Curve, tolerance: Any = LENGTH) -> float:
     Parameters
     ----------
     tolerance : number > 0
-        Largest error, as a fraction of the length. The error is estimated, not proved: from
-        Gauss's rule on a part of a segment and on both its halves, of which the better one
-        counts. What is below 1e-14 is lost in rounding.
+        Largest error, as a fraction of the length. What is below 1e-14 is lost in rounding.
+        The error is estimated, not proved, from Gauss's rule on a part of a segment and on both
+        its halves; it is bounded where the velocity may vanish, at cusps and turns.
 
     Raises
     ------

@@ -104,9 +104,10 @@ def _least(
     point, piece, u, distance, blur = (
         np.concatenate(column) for column in zip(*local, strict=True)
     )
-    least = np.full(len(points), np.inf)
-    np.minimum.at(least, point, distance)
-    near = np.flatnonzero(distance <= least[point] + blur)
+    names, name = np.unique(point, return_inverse=True)
+    least = np.full(len(names), np.inf)
+    np.minimum.at(least, name, distance)
+    near = np.flatnonzero(distance <= least[name] + blur)
     along = below.segment[piece[near]] + below.start[piece[near]] + below.width * u[near]
     near = near[np.lexsort((along, point[near]))]
     near = near[np.diff(point[near], prepend=-1) > 0]
@@ -118,8 +119,8 @@ def _local(
 ) -> tuple[np.ndarray, ...]:
     """Return (point, piece, u, distance, its rounding error) where pairs are locally nearest.
 
-    With m = c - p the coefficients of half the derivative of |m|^2, for m = M/w times w^3, are
-    those of M . M' w - |M|^2 w'.
+    With c - p = M/w half the derivative of the square of the distance, times w^3, is
+    M . M' w - |M|^2 w'. Ends of pieces count only if the distance grows from there.
     """
     rows, p, dim = rows[piece], points[point], points.shape[1]
     w = rows[..., dim:] if rows.shape[2] > dim else None
@@ -133,6 +134,7 @@ def _local(
     if w is not None:
         turn = form.derivative(w[..., 0])
         f = form.product(f, w[..., 0]) - form.product(form.product(apart, apart).sum(axis=2), turn)
+        f *= np.sign(w[:, 0])  # as w^3 has it
         steep = steep * np.abs(w).max(axis=(1, 2)) + np.abs(turn).max(axis=1)
     noise = SAME * (size / scale) * steep
     inner = roots(f, noise)

@@ -42,18 +42,18 @@ def unit(curve: Curve) -> Unit:
 
 
 def _scaled(array: np.ndarray) -> tuple[np.ndarray, int]:
-    power = int(np.frexp(np.abs(array).max())[1])
+    power = int(np.frexp(np.abs(array).max())[1]) - 1
     return np.ldexp(array, -power), power
 
 
 def row_scales(rows: np.ndarray) -> np.ndarray:
-    """Return for every row a power of two not far above its largest entry, shape (m,).
+    """Return for every row the power of two next to its largest entry from below, shape (m,).
 
     >>> row_scales(np.array([[3.0, -5.0], [0.0, 0.0]])).tolist()
-    [8.0, 1.0]
+    [4.0, 0.5]
     """
     size = np.abs(rows).max(axis=tuple(range(1, rows.ndim)))
-    return np.ldexp(1.0, np.frexp(size)[1])
+    return np.ldexp(1.0, np.frexp(size)[1] - 1)  # twice as much may be infinite
 
 
 def parameters(curve: Curve, segment: np.ndarray, u: np.ndarray) -> np.ndarray:

@@ -64,7 +64,7 @@ class Speed(NamedTuple):
         mean: np.ndarray = weights @ self.of(basis @ rows.transpose(2, 1, 0))
         return mean
 
-    def least_sure(self, rows: np.ndarray) -> np.ndarray:
+    def bound_if_vanishing(self, rows: np.ndarray) -> np.ndarray:
         """Return a bound of the mean speed where the velocity may vanish, elsewhere 0.
 
         It vanishes nowhere inside where its coefficients all point ahead, to their mean's side
@@ -120,7 +120,7 @@ def _halved(speeds: Speed, chosen: slice, tolerance: float) -> list[tuple[np.nda
         both = speeds.means(halves).reshape(2, -1)
         mean = both.sum(axis=0) / 2
         open_ = np.abs(whole - mean) > np.maximum(allowed, ROUNDING * mean)
-        open_ |= speeds.least_sure(rows) > allowed
+        open_ |= speeds.bound_if_vanishing(rows) > allowed
         if depth == DEEPEST:
             open_[:] = False
         done = ~open_

@@ -173,6 +173,20 @@ def test_weights_of_both_signs():
     )
 
 
+@settings(max_examples=30, deadline=None)
+@given(seeds, st.sampled_from([-1, 1e-200, -1e200]))
+def test_a_common_factor_of_the_weights_is_of_no_account(seed, factor):
+    curve, random = random_curve(seed, True, 5)
+    other = Curve.from_bezier(curve.points, curve.breaks, curve.weights * factor)
+    points = random.normal(size=(7, curve.dim))
+    found, expected = other.nearest(points), curve.nearest(points)
+    np.testing.assert_allclose(found.distance, expected.distance, rtol=1e-9, atol=1e-13)
+    assert other.length() == pytest.approx(curve.length(), rel=2e-9)
+    np.testing.assert_allclose(other.bounding_box(), curve.bounding_box(), rtol=1e-12, atol=1e-12)
+    if curve.dim == 2:
+        np.testing.assert_allclose(other.inflections(), curve.inflections(), rtol=0, atol=1e-7)
+
+
 @pytest.mark.parametrize("shape", [(), (1,), (5,), (2, 3), (0,), (4, 0)])
 def test_any_shape_of_points(shape):
     found = Curve.from_bezier([[0, 0, 1], [1, 2, 1], [2, 0, 1]]).nearest(np.ones((*shape, 3)))
