@@ -104,15 +104,12 @@ class Contour:
             and (self.vertices[-2] != self.vertices[-1]).any()
         )
 
-    def segments(self) -> Iterator[tuple[list[Point], list[float] | None]]:
-        """Yield every segment's further vertices, and their weights up to the last if not all 1."""
-        vertices = self.vertices.tolist()
-        weights = None if self.weights is None else self.weights.tolist()
-        at = 1
-        for degree in self.degrees.tolist():
-            inner = [] if weights is None else weights[at : at + degree - 1]
-            yield vertices[at : at + degree], inner if any(w != 1 for w in inner) else None
-            at += degree
+    @property
+    def rational(self) -> np.ndarray:
+        """Whether a segment has weights other than 1, for every segment."""
+        if self.weights is None or not len(self.degrees):
+            return np.zeros(len(self.degrees), dtype=bool)
+        return np.logical_or.reduceat(self.weights[1:] != 1, self.starts)
 
 
 def rows_by_kind(contours: Iterable[Contour]) -> Iterator[tuple[np.ndarray, bool, np.ndarray]]:

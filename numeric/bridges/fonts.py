@@ -99,10 +99,11 @@ def draw(curves: Any, pen: Any) -> None:
         raise BadType("a pen of fontTools", shown(pen), "Such as TTGlyphPen(None).")
     steps = {1: pen.lineTo, 2: pen.qCurveTo, 3: pen.curveTo}
     for contour in up_to_cubic(curves, "fonts"):
-        pen.moveTo(tuple(contour.vertices[0].tolist()))
-        segments = list(contour.segments())
-        for points, _ in segments[:-1] if contour.implied_line else segments:
-            steps[len(points)](*map(tuple, points))
+        points = [tuple(point) for point in contour.vertices.tolist()]
+        degrees = contour.degrees[:-1] if contour.implied_line else contour.degrees
+        pen.moveTo(points[0])
+        for degree, start in zip(degrees.tolist(), contour.starts.tolist(), strict=False):
+            steps[degree](*points[start + 1 : start + degree + 1])
         (pen.closePath if contour.closed else pen.endPath)()
 
 
@@ -118,9 +119,9 @@ def _reading_pen() -> type:
         def __init__(self, glyph_set: Any, recorder: Recorder) -> None:
             super().__init__(glyph_set)
             self._moveTo = recorder.move
-            self._lineTo = lambda point: recorder.segments(1, [point])
-            self._qCurveToOne = lambda *points: recorder.segments(2, points)
-            self._curveToOne = lambda *points: recorder.segments(3, points)
+            self._lineTo = lambda end: recorder.segments(1, end)
+            self._qCurveToOne = lambda handle, end: recorder.segments(2, (*handle, *end))
+            self._curveToOne = lambda one, two, end: recorder.segments(3, (*one, *two, *end))
             self._closePath = recorder.close
 
     return ReadingPen

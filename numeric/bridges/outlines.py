@@ -15,6 +15,7 @@ from ..curve import Curve
 from ..curves.pieces import MEETING
 from .contour import Contour, rows_by_kind
 
+APPROXIMATE = "Approximate the curve: make one of the points that Curve.flatten(tolerance) finds."
 HALVINGS = 60  # of a segment whose weights have both signs: its ends are then one point
 
 
@@ -66,7 +67,7 @@ def no_room(place: str, more: str, degree: int, rational: bool) -> BadValue:
     return BadValue(
         f"lines, quadratics{' and' if not more else ','} cubics{more} for {place}",
         f"{'rational ' if rational else ''}segments of degree {degree}",
-        "Approximate the curve: make one of the points that Curve.flatten(tolerance) finds.",
+        APPROXIMATE,
     )
 
 

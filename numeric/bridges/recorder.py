@@ -18,29 +18,29 @@ class Recorder:
     def __init__(self) -> None:
         self.here: Point = (0.0, 0.0)
         self._start: Point | None = None  # of the contour now drawn, or just closed
-        self._vertices: list[Point] = []
+        self._coordinates: list[float] = []  # x and y of its vertices by turns
         self._degrees: list[int] = []
-        self._weights: dict[int, float] = {}
+        self._weights: dict[int, float] = {}  # by the number of the vertex
         self._contours: list[Contour] = []
 
     def move(self, point: Point) -> None:
         """Begin a contour at a point."""
         self._finish()
         self._start = self.here = point
-        self._vertices.append(point)
+        self._coordinates += point
 
-    def segments(self, degree: int, points: Sequence[Point]) -> None:
-        """Add segments of one degree with the given further control points."""
-        if not self._vertices:
-            self._vertices.append(self.here)
-        self._vertices += points
-        self._degrees += [degree] * (len(points) // degree)
-        self.here = points[-1]
+    def segments(self, degree: int, coordinates: Sequence[float]) -> None:
+        """Add segments of one degree by the x and y of their further control points."""
+        if not self._coordinates:
+            self._coordinates += self.here
+        self._coordinates += coordinates
+        self._degrees += [degree] * (len(coordinates) // (2 * degree))
+        self.here = coordinates[-2], coordinates[-1]
 
     def conic(self, handle: Point, weight: float, end: Point) -> None:
         """Add a rational quadratic in standard form."""
-        self.segments(2, (handle, end))
-        self._weights[len(self._vertices) - 2] = weight
+        self.segments(2, (*handle, *end))
+        self._weights[len(self._coordinates) // 2 - 2] = weight
 
     @property
     def started(self) -> bool:
@@ -51,9 +51,9 @@ class Recorder:
         """Close the contour, by a line unless it is back at its start."""
         assert self._start is not None
         if self.here != self._start:
-            self.segments(1, [self._start])
-        if not self._vertices:
-            self._vertices.append(self.here)
+            self.segments(1, self._start)
+        if not self._coordinates:
+            self._coordinates += self.here
         self.here = self._start
         self._finish(closed=True)
 
@@ -63,12 +63,12 @@ class Recorder:
         return tuple(self._contours)
 
     def _finish(self, closed: bool = False) -> None:
-        if not self._vertices:
+        if not self._coordinates:
             return
+        vertices = np.array(self._coordinates, dtype=float).reshape(-1, 2)
         weights = None
         if self._weights:
-            weights = np.ones(len(self._vertices))
+            weights = np.ones(len(vertices))
             weights[list(self._weights)] = list(self._weights.values())
-        vertices = np.array(self._vertices, dtype=float)
         self._contours.append(Contour(vertices, self._degrees, closed, weights))
-        self._vertices, self._degrees, self._weights = [], [], {}
+        self._coordinates, self._degrees, self._weights = [], [], {}

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from itertools import groupby
 from typing import Any
 
 from symbolic.errors import BadValue
 
 from .contour import Contour, Point
-from .outlines import as_contours, no_room
+from .outlines import APPROXIMATE, as_contours, no_room
 from .recorder import Recorder
 from .svg_arcs import EPSILON, WELL_SHAPED, arc_of, arc_pieces, halves
 from .svg_grammar import ARGUMENTS, commands
@@ -53,9 +54,8 @@ def from_svg(text: str) -> tuple[Contour, ...]:
             recorder.close()
             before = None
         elif letter in DEGREES:  # many at once, since nothing depends on where they start
-            points = _pairs(numbers)
-            recorder.segments(DEGREES[letter], points)
-            before = DEGREES[letter], points[-2] if len(points) > 1 else points[-1]
+            recorder.segments(DEGREES[letter], numbers)
+            before = _bend(DEGREES[letter], numbers)
         else:
             for i in range(0, len(numbers), ARGUMENTS[kind]):
                 part = numbers[i : i + ARGUMENTS[kind]]
@@ -69,8 +69,10 @@ def to_svg(curves: Any) -> str:
 
     Every number is the shortest that reads back as the same float, so that lines, quadratics and
     cubics lose nothing. Arcs of ellipses become A commands of at most a third of a turn: longer
-    ones would lose digits, since at half a turn the radii hardly tell where the centre is. SVG
-    holds shapes: breaks, and how fast a rational curve is run through, are no part of it.
+    ones would lose digits, since at half a turn the radii hardly tell where the centre is. They
+    come back within some roundings of the ellipse's size times the ratio of its axes, since a
+    rounded rotation moves the centre that far. SVG holds shapes: breaks, and how fast a rational
+    curve is run through, are no part of it.
 
     Raises
     ------
@@ -102,19 +104,23 @@ def _draw(
     coordinates = part[-2:] if kind == "A" else part
     if relative:
         coordinates = [n + here[k % 2] for k, n in enumerate(coordinates)]
-    points = _pairs(coordinates)
     if kind in "ST":
         mirrors = before and before[0] == (3 if kind == "S" else 2)
         x, y = before[1] if before and mirrors else here
-        points.insert(0, (2 * here[0] - x, 2 * here[1] - y))
+        coordinates = [2 * here[0] - x, 2 * here[1] - y, *coordinates]
     if kind == "M":
-        recorder.move(points[0])
+        recorder.move((coordinates[0], coordinates[1]))
     elif kind == "A":
-        _draw_arc(recorder, part, points[0], at)
+        _draw_arc(recorder, part, (coordinates[0], coordinates[1]), at)
     else:
-        recorder.segments(len(points), points)
-        return len(points), (points[-2] if len(points) > 1 else here)
+        degree = len(coordinates) // 2
+        recorder.segments(degree, coordinates)
+        return _bend(degree, coordinates)
     return None
+
+
+def _bend(degree: int, coordinates: list[float]) -> Bend | None:
+    return (degree, (coordinates[-4], coordinates[-3])) if degree > 1 else None
 
 
 def _draw_arc(recorder: Recorder, part: list[float], end: Point, at: int) -> None:
@@ -122,7 +128,7 @@ def _draw_arc(recorder: Recorder, part: list[float], end: Point, at: int) -> Non
     if end == recorder.here:
         return
     if not rx or not ry:
-        recorder.segments(1, [end])
+        recorder.segments(1, end)
         return
     pieces = arc_pieces(recorder.here, end, (rx, ry), rotation, large == 1, sweep == 1)
     if pieces is None:
@@ -136,53 +142,50 @@ def _draw_arc(recorder: Recorder, part: list[float], end: Point, at: int) -> Non
 
 
 def _contour_text(contour: Contour) -> str:
-    start = here = contour.vertices[0].tolist()
-    last = ""
-    words = ["M" + _numbers(start)]
-    segments = list(contour.segments())
-    for points, weights in segments[:-1] if contour.implied_line else segments:
-        for letter, numbers in _segment_commands(here, points, weights):
-            words.append(("" if letter == last else letter) + _numbers(numbers))
-            last = letter
-        here = points[-1]
-    return " ".join(words) + (" Z" if contour.closed else "")
+    kinds = list(zip(contour.degrees.tolist(), contour.rational.tolist(), strict=True))
+    if contour.implied_line:
+        kinds.pop()
+    words = _words(contour.vertices.ravel().tolist())
+    texts = ["M" + " ".join(words[:2])]
+    at = 0  # the vertex where the next segment starts
+    for (degree, rational), run in groupby(kinds):
+        end = at + degree * len(list(run))
+        if degree > 3 or (rational and degree == 3):
+            raise no_room("SVG", " and arcs of ellipses", degree, rational)
+        if rational:
+            texts += _conic_texts(contour, at, end)
+        else:
+            texts.append(LETTERS[degree] + " ".join(words[2 * at + 2 : 2 * end + 2]))
+        at = end
+    return " ".join(texts) + (" Z" if contour.closed else "")
 
 
-def _segment_commands(
-    here: Point, points: list[Point], weights: list[float] | None
-) -> Iterator[tuple[str, list[float]]]:
-    degree = len(points)
-    if degree > 3 or (weights and degree == 3):
-        raise no_room("SVG", " and arcs of ellipses", degree, bool(weights))
-    if weights and abs(weights[0] - 1) > 4 * EPSILON:
-        yield from _arc_commands(here, points[0], points[1], weights[0])
-    else:
-        yield LETTERS[degree], [n for point in points for n in point]
+def _conic_texts(contour: Contour, at: int, end: int) -> Iterator[str]:
+    """Yield the commands of the rational quadratics from vertex `at` to vertex `end`."""
+    assert contour.weights is not None
+    points = contour.vertices[at : end + 1].tolist()
+    for i, weight in enumerate(contour.weights[at + 1 : end : 2].tolist()):
+        start, handle, stop = points[2 * i : 2 * i + 3]
+        if abs(weight - 1) <= 4 * EPSILON:
+            yield "Q" + " ".join(_words([*handle, *stop]))
+            continue
+        if weight > 1:
+            raise _no_arc("an arc of a hyperbola", start, stop)
+        pieces = [(start, handle, stop, weight)]
+        for piece in halves(*pieces[0]) if weight < WELL_SHAPED else pieces:
+            arc = arc_of(*piece)
+            if arc:
+                yield "A" + " ".join(_words([*arc[:3], 0, arc[3], *piece[2]]))
+            elif all(min(a, b) <= x <= max(a, b) for a, x, b in zip(*piece[:3], strict=True)):
+                yield "L" + " ".join(_words([*piece[2]]))
+            else:
+                raise _no_arc("a flat arc that turns back", start, stop)
 
 
-def _arc_commands(
-    start: Point, handle: Point, end: Point, weight: float
-) -> Iterator[tuple[str, list[float]]]:
-    pieces = [(start, handle, end, weight)]
-    if weight < WELL_SHAPED:
-        pieces = halves(*pieces[0])
-    for piece in pieces:
-        arc = arc_of(*piece) if weight < 1 else None
-        if arc is None:
-            kind = "an arc of a hyperbola" if weight > 1 else "a flat arc"
-            raise BadValue(
-                "arcs of ellipses for SVG",
-                f"{kind} from {_numbers(start)} to {_numbers(end)}",
-                "Approximate it: make a curve of the points that Curve.flatten(tolerance) finds.",
-            )
-        rx, ry, rotation, sweep = arc
-        yield "A", [rx, ry, rotation, 0, sweep, *piece[2]]
+def _no_arc(kind: str, start: Point, end: Point) -> BadValue:
+    return BadValue("arcs of ellipses for SVG", f"{kind} from {start} to {end}", APPROXIMATE)
 
 
-def _pairs(numbers: list[float]) -> list[Point]:
-    return list(zip(numbers[::2], numbers[1::2], strict=True))
-
-
-def _numbers(numbers: Any) -> str:
+def _words(numbers: list[float]) -> list[str]:
     """Return the shortest texts that read back as the same floats; whole numbers without .0."""
-    return " ".join([repr(n).removesuffix(".0") for n in numbers])
+    return [repr(n).removesuffix(".0") for n in numbers]

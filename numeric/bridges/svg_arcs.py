@@ -90,24 +90,28 @@ def arc_pieces(
 def arc_of(start: Point, handle: Point, end: Point, weight: float) -> tuple[float, ...] | None:
     """Return radii, rotation in degrees and the sweep flag of a rational quadratic, 0 < weight < 1.
 
-    None if the arc is flat. With M the middle of start and end, a = w (P1 - M)/(1 - w^2) and
-    b = (P2 - P0)/(2 sqrt(1 - w^2)) are conjugate half diameters: images of (1, 0) and (0, 1)
-    under the map from the unit circle. Its singular values are the radii.
+    None if the arc is flat, within the rounding of its coordinates. With M the middle of start and
+    end, a = w (P1 - M)/(1 - w^2) and b = (P2 - P0)/(2 sqrt(1 - w^2)) are conjugate half diameters:
+    images of (1, 0) and (0, 1) under the map from the unit circle. Its singular values are the
+    radii.
 
     Examples
     --------
     >>> [round(n, 12) for n in arc_of((2, 0), (2, 1), (0, 1), 0.5**0.5)]
     [2.0, 1.0, 0.0, 1]
     """
-    square = (1 - weight) * (1 + weight)
-    mx, my = start[0] / 2 + end[0] / 2, start[1] / 2 + end[1] / 2
-    ax, ay = (weight * (p - m) / square for p, m in zip(handle, (mx, my), strict=True))
-    bx, by = ((q / 2 - p / 2) / sqrt(square) for p, q in zip(start, end, strict=True))
-    power = frexp(max(abs(ax), abs(ay), abs(bx), abs(by)))[1]
-    ax, ay, bx, by = (ldexp(n, -power) for n in (ax, ay, bx, by))  # no product under- or overflows
-    area = ax * by - ay * bx
-    if not abs(area) > 8 * EPSILON * hypot(ax, ay) * hypot(bx, by):
+    power = frexp(max(map(abs, (*start, *handle, *end))))[1]
+    (x0, y0), (x1, y1), (x2, y2) = (
+        (ldexp(x, -power), ldexp(y, -power)) for x, y in (start, handle, end)
+    )  # of size 1: no product overflows or vanishes
+    hx, hy = x1 - (x0 + x2) / 2, y1 - (y0 + y2) / 2
+    cx, cy = (x2 - x0) / 2, (y2 - y0) / 2
+    if not abs(hx * cy - hy * cx) > 8 * EPSILON * hypot(cx, cy):
         return None
+    square = (1 - weight) * (1 + weight)
+    ax, ay = weight * hx / square, weight * hy / square
+    bx, by = cx / sqrt(square), cy / sqrt(square)
+    area = ax * by - ay * bx
     # A 2x2 matrix is the sum of a scaled rotation and a scaled reflection.
     turned, mirrored = atan2(ay - bx, ax + by), atan2(ay + bx, ax - by)
     rx = (hypot(ax + by, ay - bx) + hypot(ax - by, ay + bx)) / 2

@@ -63,7 +63,7 @@ def _numbers(text: str, at: int, count: int) -> tuple[list[float], int]:
     found = NUMBERS.match(text, at)
     if not found:
         raise _unexpected(text, _skip(SPACES, text, at), "a number")
-    numbers = [float(n) for n in NUMBER.findall(found[0])]
+    numbers = list(map(float, NUMBER.findall(found[0])))
     if len(numbers) % count:
         missing = count - len(numbers) % count
         end = _skip(SEPARATOR, text, found.end())
