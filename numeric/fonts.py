@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+from contextlib import contextmanager
 from functools import lru_cache
 from io import BytesIO
 from pathlib import Path
@@ -30,7 +32,7 @@ def glyph_name(character: Any, tables: Any, font: Any) -> str:
         raise BadValue(
             "one character", shown(character) + count, 'Ask for one letter, such as glyph("a").'
         )
-    name = tables.getBestCmap().get(ord(character))
+    name = (tables.getBestCmap() or {}).get(ord(character))
     if name is None:
         raise BadValue(
             f"a character that {font} has",
@@ -38,6 +40,19 @@ def glyph_name(character: Any, tables: Any, font: Any) -> str:
             "Choose another character or another font.",
         )
     return str(name)
+
+
+@contextmanager
+def readable(font: Any) -> Iterator[None]:
+    """Raise BadValue for whatever goes wrong inside: a damaged font fails anywhere in fontTools."""
+    try:
+        yield
+    except Exception as error:
+        raise BadValue(
+            "an OpenType or TrueType font file",
+            f"{font}, which cannot be read ({type(error).__name__}: {shown(str(error))})",
+            "Give another file.",
+        ) from error
 
 
 def _font_file(font: Any) -> Path:
@@ -57,13 +72,9 @@ def _font_file(font: Any) -> Path:
 
 @lru_cache(maxsize=8)
 def _opened(path: str) -> Any:
-    from fontTools.ttLib import TTFont, TTLibError
+    from fontTools.ttLib import TTFont
 
-    try:
+    with readable(path):
         tables = TTFont(BytesIO(Path(path).read_bytes()), lazy=True)
         tables.getBestCmap()  # read now what a damaged file may lack
-    except (TTLibError, KeyError, AssertionError) as error:
-        raise BadValue(
-            "an OpenType or TrueType font file", f"{path} ({error})", "Give another file."
-        ) from None
     return tables

@@ -13,7 +13,7 @@ from functools import cached_property
 
 from symbolic.errors import BadValue
 
-from .fonts import glyph_name, open_font
+from .fonts import glyph_name, open_font, readable
 
 Point = tuple[Fraction, Fraction]
 Segment = tuple[Point, ...]
@@ -76,9 +76,10 @@ def glyph(character: str, font: str = "DejaVu Sans") -> Glyph:
             "a font with TrueType outlines", str(font),
             "numeric.bridges.from_font reads cubic ones (CFF), too.",
         )  # fmt: skip
-    outlines = tables["glyf"]
-    coordinates, ends, on_curve = outlines[name].getCoordinates(outlines)[:3]
-    points = [(x, y, bool(on & 1)) for (x, y), on in zip(coordinates, on_curve, strict=True)]
+    with readable(font):
+        outlines = tables["glyf"]
+        coordinates, ends, on_curve = outlines[name].getCoordinates(outlines)[:3]
+        points = [(x, y, bool(on & 1)) for (x, y), on in zip(coordinates, on_curve, strict=True)]
     starts = [0, *(end + 1 for end in ends)]
     contours = (tuple(points[a : b + 1]) for a, b in zip(starts, ends, strict=False))
     return Glyph(character, font, tables["head"].unitsPerEm, tuple(contours))

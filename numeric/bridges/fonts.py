@@ -7,7 +7,7 @@ from typing import Any
 
 from symbolic.errors import BadType, BadValue, shown
 
-from ..fonts import glyph_name, open_font
+from ..fonts import glyph_name, open_font, readable
 from .contour import Contour
 from .outlines import up_to_cubic
 from .recorder import Recorder
@@ -38,14 +38,8 @@ def from_font(character: str, font: str = "DejaVu Sans") -> tuple[Contour, ...]:
     """
     tables = open_font(font)
     name = glyph_name(character, tables, font)
-    try:
+    with readable(font):
         return from_glyph(tables.getGlyphSet()[name])
-    except Exception as error:  # a damaged font fails anywhere in fontTools
-        raise BadValue(
-            f"a font with a readable outline of {character!r}",
-            f"{shown(font)} ({type(error).__name__}: {error})",
-            "Give another font.",
-        ) from error
 
 
 def from_glyph(glyph: Any) -> tuple[Contour, ...]:
@@ -58,6 +52,8 @@ def from_glyph(glyph: Any) -> tuple[Contour, ...]:
 
     Raises
     ------
+    BadValue
+        For components that are missing.
     BadType
         For what does not draw.
 
@@ -69,8 +65,16 @@ def from_glyph(glyph: Any) -> tuple[Contour, ...]:
     """
     if not hasattr(glyph, "draw"):
         raise BadType("a glyph with draw(pen)", shown(glyph), "Such as font.getGlyphSet()['a'].")
+    from fontTools.pens.basePen import MissingComponentError
+
     recorder = Recorder()
-    glyph.draw(_reading_pen()(getattr(glyph, "glyphSet", None), recorder))
+    try:
+        glyph.draw(_reading_pen()(getattr(glyph, "glyphSet", {}), recorder))
+    except MissingComponentError as error:
+        raise BadValue(
+            "a glyph whose components are in its glyphSet", f"one without {error}",
+            "Take it from font.getGlyphSet().",
+        ) from None  # fmt: skip
     return recorder.contours()
 
 

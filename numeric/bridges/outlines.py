@@ -15,7 +15,9 @@ from ..curve import Curve
 from ..curves.pieces import MEETING
 from .contour import Contour, rows_by_kind
 
-APPROXIMATE = "Approximate the curve: make one of the points that Curve.flatten(tolerance) finds."
+APPROXIMATE = (
+    "Approximate it by lines: with p = curve.flatten(tolerance), Contour(p, [1] * (len(p) - 1))."
+)
 HALVINGS = 60  # of a segment whose weights have both signs: its ends are then one point
 
 
