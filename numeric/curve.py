@@ -16,6 +16,7 @@ from .curves import derivatives, making, pieces
 from .curves.evaluation import Table, coefficient_table, evaluate
 from .curves.spans import Spans
 from .flattening import flatten
+from .intersections import curves, lines
 from .measures import arc_length, boxes, curvature, inflections, length, nearest
 from .points import real_array
 
@@ -313,6 +314,9 @@ class Curve:
     curvature = curvature.curvature
     inflections = inflections.inflections
     nearest = nearest.nearest
+
+    intersect = curves.intersect
+    intersect_line = lines.intersect_line
 
     def __repr__(self) -> str:
         start, end = self.domain

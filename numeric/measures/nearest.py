@@ -100,7 +100,7 @@ def _least(
     local = []
     for first in range(0, len(point), CHUNK):
         pairs = slice(first, first + CHUNK)
-        local.append(_local(below.rows, points, point[pairs], piece[pairs]))
+        local.append(local_nearest(below.rows, points, point[pairs], piece[pairs]))
     point, piece, u, distance, blur = (
         np.concatenate(column) for column in zip(*local, strict=True)
     )
@@ -114,7 +114,7 @@ def _least(
     return point[near], piece[near], u[near], distance[near]
 
 
-def _local(
+def local_nearest(
     rows: np.ndarray, points: np.ndarray, point: np.ndarray, piece: np.ndarray
 ) -> tuple[np.ndarray, ...]:
     """Return (point, piece, u, distance, its rounding error) where pairs are locally nearest.

@@ -1,0 +1,1 @@
+"""Where curves meet: crossings, touching points, and the arcs they share."""
