@@ -17,22 +17,14 @@ from numeric import Curve
 from symbolic import NURBS, BSpline, circle, de_casteljau
 
 from . import peers
+from .geometry import geometry_rows
 from .limits import limits
 from .picture import draw
-from .timing import Work, medians
+from .timing import Row, Work, medians
 
 POINTS = 10**6
 SLOW = {"geomdl": 500, "splines": 250}  # a part of the points is timed, and the time scaled up
 NOT_A_PEER = "NumPy by hand"  # a few lines for this one case: what is possible, not what is offered
-
-
-class Row(NamedTuple):
-    """One task: works by who does them, what to multiply their times by, and our aim."""
-
-    name: str
-    works: dict[str, Work]
-    factors: dict[str, float]
-    at_most: float | None = None
 
 
 class Told(NamedTuple):
@@ -182,6 +174,7 @@ def rows(points: int) -> list[Row]:
         *segment_rows(t, rng),
         *bspline_rows(t, rng),
         *circle_rows(t),
+        *geometry_rows(max(points // 1000, 1), rng),
     ]
 
 

@@ -5,8 +5,18 @@ from __future__ import annotations
 import time
 from collections.abc import Callable, Mapping
 from statistics import median
+from typing import NamedTuple
 
 Work = Callable[[], object]
+
+
+class Row(NamedTuple):
+    """One task: works by who does them, what to multiply their times by, and our aim."""
+
+    name: str
+    works: dict[str, Work]
+    factors: dict[str, float]
+    at_most: float | None = None
 
 
 def milliseconds(work: Work) -> float:

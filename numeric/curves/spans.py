@@ -73,8 +73,9 @@ class Spans:
             return False, lambda row, into: row.take(segment, None, into, "clip")
         if low == high:
             return True, lambda row, into: row[low]
-        cuts = np.searchsorted(t, self.breaks[low + 1 : high + 1])
-        held, counts = slice(low, high + 1), np.diff(cuts, prepend=0, append=len(t))
+        held, cuts = slice(low, high + 1), np.zeros(high - low + 2, np.intp)
+        cuts[1:-1], cuts[-1] = t.searchsorted(self.breaks[low + 1 : high + 1]), len(t)
+        counts = cuts[1:] - cuts[:-1]
         return False, lambda row, into: np.repeat(row[held], counts)
 
     def segment(self, t: np.ndarray, work: Workspace | None = None) -> np.ndarray:

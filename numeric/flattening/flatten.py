@@ -108,19 +108,16 @@ def _vertices(curve: Curve, tolerance: Any) -> tuple[np.ndarray, np.ndarray, np.
 def _spaced(start: np.ndarray, step: np.ndarray, counts: np.ndarray) -> np.ndarray:
     """Return start, start + step, ... of every piece, `counts` numbers each."""
     stops = np.append(0, np.cumsum(counts))
-    out = np.empty(stops[-1])
+    before = stops.astype(float)
+    out = np.arange(stops[-1], dtype=float)
     first = 0
     while first < len(counts):  # as many pieces at once as fit in the cache
         last = max(first + 1, int(np.searchsorted(stops, stops[first] + CHUNK, side="right")) - 1)
         held = slice(first, last)
-        part = out[stops[first] : stops[last]]
-        part[:] = np.arange(len(part))
-        for row, combine in (
-            (stops - stops[first], np.subtract),
-            (step, np.multiply),
-            (start, np.add),
-        ):
-            combine(part, np.repeat(row[held], counts[held]), out=part)
+        part, own = out[stops[first] : stops[last]], counts[held]
+        part -= np.repeat(before[held], own)
+        part *= np.repeat(step[held], own)
+        part += np.repeat(start[held], own)
         first = last
     return out
 
