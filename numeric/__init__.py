@@ -1,7 +1,11 @@
-"""Float64 kernels: the tape that runs derived formulas, piecewise curves, glyph outlines."""
+"""Float64 kernels: the tape that runs derived formulas, piecewise curves, glyph outlines.
+
+Curves come from other formats and go to them by `numeric.bridges`.
+"""
 
 from .curve import Curve
 from .glyphs import Glyph, glyph
+from .intersections.segments import intersect_segments
 from .points import float_points, real_number
 from .tape.tape import Tape, compile_tape, flattened
 
@@ -13,5 +17,6 @@ __all__ = [
     "flattened",
     "float_points",
     "glyph",
+    "intersect_segments",
     "real_number",
 ]
