@@ -76,10 +76,12 @@ class Contour:
         weights = self.weights
         if weights is not None:
             weights = _weights(weights, degrees)
-        for name, array in (("vertices", vertices), ("degrees", degrees), ("weights", weights)):
+        for array in (vertices, degrees, weights):
             if array is not None:
                 array.flags.writeable = False
-            object.__setattr__(self, name, array)
+        self.__dict__.update(
+            vertices=vertices, degrees=degrees, closed=bool(self.closed), weights=weights
+        )
 
     @property
     def starts(self) -> np.ndarray:

@@ -25,7 +25,8 @@ def as_contours(value: Any) -> tuple[Contour, ...]:
     """Return the contours of a curve, a contour, or a list or tuple of these.
 
     A curve is cut where its segments do not meet within rounding; a part that ends exactly where
-    it starts is closed. Segments whose weights are not all of one sign are halved until they are.
+    it starts is closed (of a rational curve, whose points are quotients, within their rounding).
+    Segments whose weights are not all of one sign are halved until they are.
     """
     if isinstance(value, Contour):
         return (value,)
@@ -88,7 +89,10 @@ def _parts(curve: Curve) -> Iterator[Contour]:
     for a, b in pairwise(cuts):
         vertices = np.concatenate([points[a, :1], points[a:b, 1:].reshape(-1, 2)])
         degrees = np.full(b - a if curve.degree else 0, curve.degree)
-        closed = curve.degree > 0 and bool((vertices[0] == vertices[-1]).all())
+        slack = 2.0**-50 * np.abs(vertices[0]) * curve.rational
+        closed = curve.degree > 0 and bool((np.abs(vertices[0] - vertices[-1]) <= slack).all())
+        if closed:
+            vertices[-1] = vertices[0]
         own = None if weights is None else np.append(1.0, weights[a:b, 1:])
         yield Contour(vertices, degrees, closed, own)
 

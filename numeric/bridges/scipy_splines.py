@@ -86,8 +86,8 @@ def to_scipy(curve: Curve, kind: Any) -> Any:
     BPoly and BSpline hold the control points bit for bit. The knots of the BSpline have the
     multiplicity n at breaks where the segments meet bit for bit, so that SciPy can differentiate
     it, and n + 1 elsewhere and at the ends. As a PPoly the coefficients are rounded, and what they
-    stand for loses digits as the degree grows: 1e-14 of the largest control point at degree 5,
-    1e-7 at degree 20.
+    stand for loses digits as the degree grows: 2e-14 of the largest control point at degree 5,
+    3e-7 at degree 20.
 
     Examples
     --------

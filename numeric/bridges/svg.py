@@ -57,8 +57,9 @@ def from_svg(text: str) -> tuple[Contour, ...]:
             recorder.segments(DEGREES[letter], numbers)
             before = _bend(DEGREES[letter], numbers)
         else:
-            for i in range(0, len(numbers), ARGUMENTS[kind]):
-                part = numbers[i : i + ARGUMENTS[kind]]
+            count = ARGUMENTS[letter]
+            for i in range(0, len(numbers), count):
+                part = numbers[i : i + count]
                 each = "L" if kind == "M" and i else kind
                 before = _draw(recorder, before, each, part, relative, at)
     return recorder.contours()

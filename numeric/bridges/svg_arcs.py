@@ -23,6 +23,8 @@ from math import (
     sqrt,
 )
 
+from symbolic.errors import BadValue
+
 from .contour import Point
 
 # Above this weight a chord and the radii tell the centre well. At a half turn, weight 0, an error
@@ -93,7 +95,7 @@ def arc_of(start: Point, handle: Point, end: Point, weight: float) -> tuple[floa
     None if the arc is flat, within the rounding of its coordinates. With M the middle of start and
     end, a = w (P1 - M)/(1 - w^2) and b = (P2 - P0)/(2 sqrt(1 - w^2)) are conjugate half diameters:
     images of (1, 0) and (0, 1) under the map from the unit circle. Its singular values are the
-    radii.
+    radii. BadValue if these overflow.
 
     Examples
     --------
@@ -119,6 +121,8 @@ def arc_of(start: Point, handle: Point, end: Point, weight: float) -> tuple[floa
     turn = degrees((turned + mirrored) / 2)
     if rx - ry <= 8 * EPSILON * rx:  # a circle within rounding, which has no axes
         ry, turn = rx, 0.0
+    if frexp(rx)[1] + power > 1024:
+        raise BadValue("an arc with radii below 1e308", "a larger one", "Scale the curve.")
     return ldexp(rx, power), ldexp(ry, power), turn, int(area > 0)
 
 
@@ -129,7 +133,7 @@ def halves(
 
     def mean(*points: tuple[float, Point]) -> Point:
         total = sum(w for w, _ in points)
-        x, y = (sum(w * p[i] for w, p in points) / total for i in (0, 1))
+        x, y = (sum(w / total * p[i] for w, p in points) for i in (0, 1))
         return x, y
 
     middle = mean((1, start), (2 * weight, handle), (1, end))

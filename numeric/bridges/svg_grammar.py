@@ -11,7 +11,8 @@ from math import isfinite
 
 from symbolic.errors import BadType, BadValue, shown
 
-ARGUMENTS = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+_UPPER = {"M": 2, "L": 2, "H": 1, "V": 1, "C": 6, "S": 4, "Q": 4, "T": 2, "A": 7, "Z": 0}
+ARGUMENTS = _UPPER | {letter.lower(): count for letter, count in _UPPER.items()}
 
 _SPACES = r"[ \t\n\f\r]*+"
 _SEPARATOR = rf"{_SPACES},?+{_SPACES}"
@@ -19,7 +20,7 @@ _ONE = r"[+-]?+(?>[0-9]++\.?+[0-9]*+|\.[0-9]++)(?:[eE][+-]?+[0-9]++)?+"
 SPACES = re.compile(_SPACES)
 SEPARATOR = re.compile(_SEPARATOR)
 NUMBER = re.compile(_ONE)
-NUMBERS = re.compile(rf"{_SPACES}{_ONE}(?:{_SEPARATOR}{_ONE})*+")
+NUMBERS = re.compile(rf"{_SPACES}{_ONE}(?:{_SEPARATOR}{_ONE})*+{_SPACES}")
 FLAG = re.compile("[01]")
 
 # Flags need no separators: a1 1 0 00.5.5 is two radii, a rotation, two flags and a point.
@@ -44,10 +45,10 @@ def commands(text: str) -> Iterator[tuple[str, list[float], int]]:
     at = _skip(SPACES, text, 0)
     while at < len(text):
         letter = text[at]
-        count = ARGUMENTS.get(letter.upper()) if letter.isascii() else None
+        count = ARGUMENTS.get(letter)
         if count is None:
             raise _unexpected(text, at, "a command, one letter of MLHVCSQTAZ")
-        if letter.upper() == "A":
+        if letter in "Aa":
             numbers, end = _arcs(text, at + 1)
         elif count:
             numbers, end = _numbers(text, at + 1, count)

@@ -11,7 +11,7 @@ from numeric.bridges import Contour, segments_by_degree, to_svg
 from numeric.bridges.outlines import as_contours
 from symbolic import BadType, BadValue, circle
 
-fast = settings(max_examples=100, deadline=None)
+fast = settings(max_examples=60, deadline=None)
 CORNER = [[0, 0], [1, 0], [1, 2], [0, 0]]
 
 
@@ -119,6 +119,15 @@ def test_a_circle_is_closed_and_rational():
     np.testing.assert_allclose(np.hypot(*contour.curve(t).T), 1, rtol=1e-14)
 
 
+@pytest.mark.parametrize("weight", [0.7, 0.1, 1 / 3, 5.1])
+def test_rational_curves_are_closed_within_the_rounding_of_their_points(weight):
+    points = np.array([[0.1, 0.7], [1, 1], [2, 0.3], [0.1, 0.7]])
+    (contour,) = as_contours(Curve.from_bezier(points, weights=[weight, 1, 2, 3 * weight]))
+    assert contour.closed
+    (line,) = as_contours(Curve.from_bezier([[1, 1], [1, 1 + 2**-52]]))
+    assert not line.closed and line.vertices[1, 1] > 1  # no rounding here, so none is forgiven
+
+
 @fast
 @given(st.integers(1, 6), st.data())
 def test_standard_form_keeps_the_shape(degree, data):
@@ -131,7 +140,7 @@ def test_standard_form_keeps_the_shape(degree, data):
     r = (weights[0] / weights[-1]) ** (1 / degree)
     u = np.linspace(0, 1, 17)
     theirs = Curve.from_bezier(points, weights=weights)(u / (u + (1 - u) / r))
-    np.testing.assert_allclose(contour.curve(u), theirs, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(contour.curve(u), theirs, rtol=0, atol=1e-11)
 
 
 def test_equal_weights_are_none():

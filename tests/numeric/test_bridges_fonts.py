@@ -93,7 +93,7 @@ def test_components_are_resolved_and_none_left_out():
         from_glyph(Alone())
 
 
-@settings(max_examples=100, deadline=None)
+@settings(max_examples=60, deadline=None)
 @given(paths)
 def test_what_a_pen_draws_comes_back_bit_for_bit(drawn):
     pen = RecordingPen()

@@ -109,7 +109,7 @@ trees = st.recursive(leaves, lambda t: st.lists(t, max_size=4) | st.dictionaries
     st.sampled_from([*CURVE, *CONTOUR]), t, max_size=4), max_leaves=12)  # fmt: skip
 
 
-@settings(max_examples=300, deadline=None)
+@settings(max_examples=150, deadline=None)
 @given(trees | st.fixed_dictionaries(dict.fromkeys(CURVE, trees))
        | st.fixed_dictionaries(dict.fromkeys(CONTOUR, trees)))  # fmt: skip
 def test_any_data_is_read_or_refused(data):

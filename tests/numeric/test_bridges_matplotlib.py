@@ -80,7 +80,7 @@ def test_what_is_no_path(value):
         from_matplotlib(value)
 
 
-@settings(max_examples=200, deadline=None)
+@settings(max_examples=100, deadline=None)
 @given(paths)
 def test_lines_quadratics_and_cubics_come_back_bit_for_bit(drawn):
     assert bits(from_matplotlib(to_matplotlib(drawn))) == bits(drawn)
