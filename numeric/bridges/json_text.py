@@ -25,6 +25,8 @@ def to_json(curves: Any) -> str:
 
     Raises
     ------
+    BadValue
+        For numbers that overflowed to infinity.
     BadType
         For anything else.
 
@@ -34,8 +36,8 @@ def to_json(curves: Any) -> str:
     '{"rows": [[[0.0, 0.0], [1.0, 2.0]]], "breaks": [0.0, 1.0], "rational": false}'
     """
     if isinstance(curves, list | tuple):
-        return json.dumps([_plain(curve) for curve in curves], allow_nan=False)
-    return json.dumps(_plain(curves), allow_nan=False)
+        return json.dumps([_plain(curve) for curve in curves])
+    return json.dumps(_plain(curves))
 
 
 def from_json(data: Any) -> Any:
@@ -68,6 +70,8 @@ def _plain(value: Any) -> dict[str, Any]:
         raise BadType("a curve or contours", shown(value), "Make one with Curve.from_bezier.")
     names = CURVE if isinstance(value, Curve) else CONTOUR
     held = {name: getattr(value, name) for name in names}
+    if not all(np.isfinite(v).all() for v in held.values() if isinstance(v, np.ndarray)):
+        raise BadValue("finite numbers for JSON", repr(value), "Something overflowed: scale it.")
     return {k: v.tolist() if isinstance(v, np.ndarray) else v for k, v in held.items()}
 
 

@@ -54,7 +54,6 @@ class Recorder:
             self.segments(1, self._start)
         if not self._coordinates:
             self._coordinates += self.here
-        self.here = self._start
         self._finish(closed=True)
 
     def contours(self) -> tuple[Contour, ...]:

@@ -57,6 +57,11 @@ def test_contours_cannot_be_changed_behind_their_back():
         contour.closed = True
 
 
+def test_both_ends_of_a_closed_contour_have_the_same_zeros():
+    contour = Contour([[0.0, -0.0], [1, 1], [-0.0, 0.0]], [1, 1], closed=True)
+    assert contour.vertices[0].tobytes() == contour.vertices[-1].tobytes()
+
+
 @fast
 @given(contours(highest=5))
 def test_a_contour_as_a_curve_runs_through_its_vertices(contour):

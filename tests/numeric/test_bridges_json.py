@@ -119,6 +119,11 @@ def test_any_data_is_read_or_refused(data):
         return
 
 
+def test_infinity_is_not_written():
+    with pytest.raises(BadValue, match="finite numbers for JSON"):
+        to_json(Curve(np.array([[[np.inf], [1.0]]]), np.array([0.0, 1.0])))
+
+
 @pytest.mark.parametrize("value", [None, 3, "M0 0", [3], [[Curve.from_bezier([[0, 0]])]]])
 def test_what_is_not_written(value):
     with pytest.raises(BadType, match="a curve or contours"):
