@@ -271,6 +271,17 @@ def test_arcs_of_ellipses_go_through_svg_within_roundings(ratio, turn, angle, ha
         assert abs(back.weights[1] - cos(half)) < bound / scale
 
 
+@pytest.mark.parametrize("half", [1.2, 1.5, 1.57, 1.5707, 1.570796])
+def test_arcs_of_nearly_half_a_turn_keep_all_their_digits(half):
+    """Written as one A they would lose some: its radii hardly tell where the centre is."""
+    for angle in np.linspace(0, 6, 25):
+        points = [ellipse_point(angle + k * half, 3, 3, 0) for k in (-1, 0, 1)]
+        points[1] = ellipse_point(angle, 3 / cos(half), 3 / cos(half), 0)
+        (back,) = from_svg(to_svg(Contour(points, [2], False, [1, cos(half), 1])))
+        distance = np.hypot(*back.curve(np.linspace(0, len(back.degrees), 21)).T)
+        np.testing.assert_allclose(distance, 3, rtol=0, atol=2e-14)
+
+
 def test_a_circle_comes_back():
     text = to_svg(Curve.from_nurbs(circle()))
     assert text.endswith("Z")
