@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import product
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
@@ -13,13 +14,13 @@ from ..measures.boxes import control_boxes
 from ..measures.scale import parameters
 from .near import meeting
 from .places import Places
-from .segments import places_and_arcs, points_at
+from .segments import lengths, places_and_arcs, points_at
+from .shared import SHORT, Shared
 
 if TYPE_CHECKING:
     from ..curve import Curve
 
 SLACK = 1e-13  # of the size of both curves: pieces so close may touch
-BESIDE = 2.0**-20  # of a segment: so near to a shared arc, a place belongs to it
 
 
 class Intersections(NamedTuple):
@@ -98,7 +99,7 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
     if curve.rational != other.rational:
         first, second = curve.homogeneous, other.homogeneous
     i, j = _near(curve, other)
-    found, arcs = places_and_arcs(first[i], second[j], dim)
+    found, arcs = places_and_arcs(first, second, (i, j), dim)
     places = Places(
         np.zeros(len(found.pair), np.intp),
         found.at + [i[found.pair], j[found.pair]],
@@ -106,17 +107,16 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
         found.transversal,
     )
     samples = arcs.samples + np.stack([i[arcs.pair], j[arcs.pair]], axis=1)[:, :, None]
-    places = _off_arcs(places, samples)
     for side, c in enumerate((curve, other)):
         places = at_one_seam(places, side, c)
-    places = places.single()
+    places = _off_arcs(places, Shared(i[arcs.pair], samples), curve, other).single()
     places = places.chosen(np.lexsort((places.at[1], places.at[0])))
     (k, u), (m, v) = (
         segment_and_u(at, len(c)) for at, c in zip(places.at, (curve, other), strict=True)
     )
     points = points_at(curve.rows[k], u, dim)
-    distance = np.sqrt(((points - points_at(other.rows[m], v, dim)) ** 2).sum(axis=1))
-    shared = joined(samples[:, :, [0, -1]].transpose(0, 2, 1), BESIDE)
+    distance = lengths(points - points_at(other.rows[m], v, dim))
+    shared = joined(samples[:, :, [0, -1]].transpose(0, 2, 1), SHORT)
     for side, c in enumerate((curve, other)):
         ends = parameters(c, *segment_and_u(shared[..., side].ravel(), len(c)))
         shared[..., side] = ends.reshape(-1, 2)
@@ -127,10 +127,31 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
 
 
 def _near(curve: Curve, other: Curve) -> tuple[np.ndarray, np.ndarray]:
-    """Return the pairs of segments whose boxes meet."""
+    """Return the pairs of segments whose boxes meet; segments that are joints are left out."""
     slack = SLACK * max(np.abs(c.points).max() for c in (curve, other))
-    low, high = control_boxes(curve.rows, curve.dim)
-    return meeting((low - slack, high + slack), control_boxes(other.rows, other.dim))
+    first, second = _without_joints(curve), _without_joints(other)
+    low, high = control_boxes(curve.rows[first], curve.dim)
+    there = control_boxes(other.rows[second], other.dim)
+    i, j = meeting((low - slack, high + slack), there)
+    return first[i], second[j]
+
+
+def _without_joints(curve: Curve) -> np.ndarray:
+    """Return the numbers of segments, without those that are the end of the one before.
+
+    Nor those that are the start of the one after: all their points are found on others.
+    """
+    points = curve.points
+    point = (points == points[:, :1]).all(axis=(1, 2))
+    if not point.any():
+        return np.arange(len(points))
+    joined = (points[1:, 0] == points[:-1, -1]).all(axis=1)
+    moving = np.flatnonzero(~point)
+    number = np.arange(len(points))
+    after = np.append(moving, len(points))[np.searchsorted(moving, number)]
+    gaps = np.append(0, np.cumsum(~joined))  # two segments hang together if they have as many
+    leads = (after < len(points)) & (gaps[np.minimum(after, len(points) - 1)] == gaps)
+    return number[~point | ~(np.append(False, joined) | leads)]
 
 
 def segment_and_u(at: np.ndarray, segments: int) -> tuple[np.ndarray, np.ndarray]:
@@ -141,31 +162,42 @@ def segment_and_u(at: np.ndarray, segments: int) -> tuple[np.ndarray, np.ndarray
 
 def at_one_seam(places: Places, side: int, curve: Curve) -> Places:
     """Return places with the end of a closed curve told as its start."""
-    points = curve.points
-    gap = np.abs(points[-1, -1] - points[0, 0]).max()
-    if gap > MEETING * np.abs(points).max():
+    if not _is_closed(curve):
         return places
     at = places.at.copy()
-    at[side, at[side] >= len(curve) - places.error[side]] = 0
+    at[side, at[side] >= len(curve) - np.minimum(places.error[side], SHORT)] = 0
     return places._replace(at=at)
 
 
-def _off_arcs(places: Places, samples: np.ndarray) -> Places:
-    """Return the places that do not lie on shared arcs, in places counted in segments."""
+def _is_closed(curve: Curve) -> bool:
+    points = curve.points
+    return bool(np.abs(points[-1, -1] - points[0, 0]).max() <= MEETING * np.abs(points).max())
+
+
+def _off_arcs(places: Places, arcs: Shared, curve: Curve, other: Curve) -> Places:
+    """Return the places that do not lie on arcs, whose `pair` is the segment of `curve`.
+
+    An arc may end at the end of a closed curve, which places tell as its start.
+    """
+    if not len(arcs.pair):
+        return places
+    arcs = Shared.all_of([arcs])
     on = np.zeros(len(places.pair), bool)
-    for first, second in samples:
-        expected = np.interp(places.at[0], first, second)
-        beside = (places.at[0] >= first[0] - BESIDE) & (places.at[0] <= first[-1] + BESIDE)
-        on |= beside & (np.abs(places.at[1] - expected) <= BESIDE)
+    turns = [(0, len(c)) if _is_closed(c) else (0,) for c in (curve, other)]
+    for turn in product(*turns):
+        at = places.at + np.array(turn)[:, None]
+        for beside in (-SHORT, SHORT):
+            segment = np.floor(at[0] + beside).astype(np.intp)
+            on |= arcs.beside(places._replace(pair=segment, at=at))
     return places.chosen(~on)
 
 
 def joined(ends: np.ndarray, near: float) -> np.ndarray:
     """Return both ends of all arcs (l, 2, 2), those that continue each other as one."""
-    arcs: list[list[list[float]]] = []
-    for start, end in sorted(ends.tolist()):
-        if arcs and np.abs(np.subtract(arcs[-1][1], start)).max() <= near:
-            arcs[-1][1] = end
-        else:
-            arcs.append([start, end])
-    return np.array(arcs).reshape(-1, 2, 2)
+    if not len(ends):
+        return ends
+    ends = ends[np.lexsort((ends[:, 0, 1], ends[:, 0, 0]))]
+    apart = (np.abs(ends[1:, 0] - ends[:-1, 1]) > near).any(axis=1)
+    first = np.flatnonzero(np.append(True, apart))
+    last = np.append(first[1:], len(ends)) - 1
+    return np.stack([ends[first, 0], ends[last, 1]], axis=1)

@@ -1,4 +1,4 @@
-"""Newton's method for crossings and for touching points of many pairs of pieces at once."""
+"""Newton's method for crossings and for nearest places of many pairs of pieces at once."""
 
 from __future__ import annotations
 
@@ -104,7 +104,7 @@ def _lengths(slopes: np.ndarray) -> np.ndarray:
     return np.sqrt(squares[::-1] / (squares[0] * squares[1] - product * product))
 
 
-def touching(rows: np.ndarray, dim: int, at: np.ndarray, reach: np.ndarray) -> Solved:
+def nearest_places(columns: np.ndarray, at: np.ndarray, reach: np.ndarray, dim: int) -> Solved:
     """Return where two curves come nearest to each other, near given places.
 
     They are nearest where their tangents are parallel and the difference is across them. Where
@@ -112,7 +112,6 @@ def touching(rows: np.ndarray, dim: int, at: np.ndarray, reach: np.ndarray) -> S
     turn to the nearest one of the other tangent. The best place within `reach` of the given one
     is returned, found or not.
     """
-    columns = np.ascontiguousarray(rows.transpose(2, 3, 0, 1))
     given = best = at
     least = np.full(at.shape[1], np.inf)
     with np.errstate(all="ignore"):

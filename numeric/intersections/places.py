@@ -36,39 +36,26 @@ class Places(NamedTuple):
             self.pair[which], self.at[:, which], self.error[:, which], self.transversal[which]
         )
 
-    def joined(self, others: Places, shift: int = 0) -> Places:
-        """Return these and others, whose pairs are counted from `shift` on."""
-        if not len(others.pair):
-            return self
-        return Places(
-            np.concatenate([self.pair, others.pair + shift]),
-            np.concatenate([self.at, others.at], axis=1),
-            np.concatenate([self.error, others.error], axis=1),
-            np.concatenate([self.transversal, others.transversal]),
-        )
+    @classmethod
+    def all_of(cls, parts: list[Places]) -> Places:
+        """Return the places of all parts."""
+        parts = [part for part in parts if len(part.pair)] or parts[:1]
+        if len(parts) == 1:
+            return parts[0]
+        return cls(*(np.concatenate(column, axis=-1) for column in zip(*parts, strict=True)))
 
     def single(self) -> Places:
         """Return every place once: those found from two sides of a cut are equal within errors.
 
-        Of equal ones a touching place is kept, or else the one with the least error. They are
-        looked for among neighbours in the order of either parameter, as one parameter may belong
-        to several places.
+        Of equal ones a touching place is kept, or else the one with the least error.
         """
         if len(self.pair) < 2:
             return self
-        places = self
-        for keys in ((1, 0), (0, 1)):
-            order = np.lexsort((places.at[keys[0]], places.at[keys[1]], places.pair))
-            places = places.chosen(order)
-            near = np.abs(places.at[:, 1:] - places.at[:, :-1])
-            reach = places.error[:, 1:] + places.error[:, :-1] + SAME
-            equal = (near <= reach).all(axis=0) & (places.pair[1:] == places.pair[:-1])
-            if not equal.any():
-                continue
-            group = np.cumsum(np.append(True, ~equal))
-            best = np.lexsort((places.error.sum(axis=0), places.transversal, group))
-            places = places.chosen(best[np.diff(group[best], prepend=0) > 0])
-        return places
+        group = clusters(self.pair, self.at, self.error + SAME / 2)
+        if group.max() == len(group) - 1:
+            return self
+        best = np.lexsort((self.error.sum(axis=0), self.transversal, group))
+        return self.chosen(best[np.diff(group[best], prepend=-1) > 0])
 
     def without(self, others: Places, reach: np.ndarray) -> Places:
         """Return the places that are no nearer than `reach`, one for each, to any of others."""
@@ -82,3 +69,23 @@ class Places(NamedTuple):
             apart = np.abs(self.at[:, which] - others.at[:, first[which] + k])
             keep[which[(apart <= reach[which]).all(axis=0)]] = False
         return self.chosen(keep)
+
+
+def clusters(pair: np.ndarray, at: np.ndarray, reach: np.ndarray) -> np.ndarray:
+    """Return the cluster, from 0 on, of every place: they hang together within their reach.
+
+    Places of a cluster are neighbours in the order of either parameter, and of one pair. Clusters
+    along the first parameter are divided along the second one, and those along the first again.
+
+    >>> at = np.array([[0.1, 0.1, 0.9], [0.2, 0.8, 0.2]])
+    >>> clusters(np.zeros(3, int), at, np.full(at.shape, 1e-9)).tolist()
+    [0, 1, 2]
+    """
+    cluster = pair
+    for side in (0, 1, 0):
+        order = np.lexsort((at[side], cluster))
+        near, kind = at[side, order], cluster[order]
+        gap = np.diff(near) > reach[side, order[1:]] + reach[side, order[:-1]]
+        cluster = np.empty(len(pair), np.intp)
+        cluster[order] = np.cumsum(np.append(0, gap | (np.diff(kind) != 0)))[: len(pair)]
+    return cluster

@@ -14,6 +14,7 @@ from ..curves.making import read_segments
 from .places import Places
 from .shared import Shared
 from .subdivision import subdivided
+from .touching import are_points, places_of_points
 
 BATCH = 2048  # pairs of segments at a time
 
@@ -90,30 +91,37 @@ def intersect_segments(first: Any, second: Any) -> SegmentIntersections:
 
 def intersect_rows(first: np.ndarray, second: np.ndarray, dim: int) -> SegmentIntersections:
     """Return all intersections of pairs of rows, both homogeneous if they have a column more."""
-    places, arcs = places_and_arcs(first, second, dim)
-    order = np.lexsort((places.at[1], places.at[0], places.pair))
-    places = places.chosen(order)
+    places, arcs = places_and_arcs(first, second, (np.arange(len(first)),) * 2, dim)
+    places = places.chosen(np.lexsort((places.at[1], places.at[0], places.pair)))
     points, others = (points_at(rows[places.pair], at, dim)
                       for rows, at in zip((first, second), places.at, strict=True))  # fmt: skip
-    distance = np.sqrt(((points - others) ** 2).sum(axis=1))
     return SegmentIntersections(
-        places.pair, places.at[0], places.at[1], points, distance, places.transversal,
+        places.pair, places.at[0], places.at[1], points, lengths(points - others), places.transversal,
         arcs.pair, arcs.ends(),
     )  # fmt: skip
 
 
-def places_and_arcs(first: np.ndarray, second: np.ndarray, dim: int) -> tuple[Places, Shared]:
-    """Return where pairs of rows meet, each place once, and the arcs they share."""
+def places_and_arcs(
+    first: np.ndarray, second: np.ndarray, pairs: tuple[np.ndarray, np.ndarray], dim: int
+) -> tuple[Places, Shared]:
+    """Return where pairs (i, j) of rows meet, each place once, and the arcs they share."""
     if dim < 2:
         raise BadValue("curves in the plane or in space", "curves on a line", "Add a coordinate.")
     degree = max(first.shape[1], second.shape[1], 2) - 1
     sides = [elevate(rows, degree + 1 - rows.shape[1]) for rows in (first, second)]
-    places, arcs = Places.none(), Shared.none()
-    for start in range(0, len(first), BATCH):
-        batch = np.stack([rows[start : start + BATCH] for rows in sides])
-        more_places, more_arcs = subdivided(moderate(batch, dim), dim)
-        places, arcs = places.joined(more_places, start), arcs.joined(more_arcs, start)
-    return places, arcs
+    places, arcs = [Places.none()], [Shared.none()]
+    for start in range(0, len(pairs[0]), BATCH):
+        chosen = zip(sides, pairs, strict=True)
+        batch = moderate(np.stack([rows[k[start : start + BATCH]] for rows, k in chosen]), dim)
+        point = are_points(batch, dim)
+        moving = np.flatnonzero(~point.any(axis=0))
+        if len(moving) < len(point[0]):
+            found = places_of_points(batch, point, dim)
+            places.append(found._replace(pair=start + found.pair))
+        found, more = subdivided(batch[:, moving], dim)
+        places.append(found._replace(pair=start + moving[found.pair]))
+        arcs.append(more._replace(pair=start + moving[more.pair]))
+    return Places.all_of(places), Shared.all_of(arcs)
 
 
 def points_at(rows: np.ndarray, u: np.ndarray, dim: int) -> np.ndarray:
@@ -134,3 +142,10 @@ def moderate(rows: np.ndarray, dim: int) -> np.ndarray:
     if not w.shape[3]:
         return points - points[:1, :, :1]
     return np.concatenate([points - points[:1, :, :1] / w[:1, :, :1] * w, w], axis=3)
+
+
+def lengths(vectors: np.ndarray) -> np.ndarray:
+    """Return the lengths of vectors (k, dim), also where their squares would overflow or vanish."""
+    size = np.abs(vectors).max(axis=1, keepdims=True)
+    size = np.where(size == 0, 1, size)
+    return np.sqrt(((vectors / size) ** 2).sum(axis=1)) * size[:, 0]

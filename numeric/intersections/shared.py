@@ -6,18 +6,21 @@ arc they share ends only where one of them ends: at places where an end of eithe
 
 from __future__ import annotations
 
-from itertools import combinations
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from ..bernstein.evaluation import values_at
 from ..measures.nearest import local_nearest
-from .pieces import Pairs
+from .pieces import Pairs, plain
+from .places import Places
 
 SAMPLES = 17
 ON = 2.0**-42  # a distance, of size 1, that counts as none
 SHORT = 2.0**-20  # parameters closer than this are no arc
+BESIDE = 1e-10  # a distance of segments that cutting into pieces cannot resolve
+FEW = 1 << 13  # points whose nearest places are looked for at a time
 
 
 class Shared(NamedTuple):
@@ -39,66 +42,143 @@ class Shared(NamedTuple):
         """Return no arcs."""
         return cls(np.empty(0, np.intp), np.empty((0, 2, SAMPLES)))
 
-    def joined(self, others: Shared, shift: int = 0) -> Shared:
-        """Return these and others, whose pairs are counted from `shift` on."""
-        if not len(others.pair):
-            return self
-        return Shared(
-            np.concatenate([self.pair, others.pair + shift]),
-            np.concatenate([self.samples, others.samples]),
-        )
+    @classmethod
+    def all_of(cls, parts: list[Shared]) -> Shared:
+        """Return the arcs of all parts, in the order of their pairs."""
+        pair, samples = (np.concatenate(column) for column in zip(*parts, strict=True))
+        order = np.argsort(pair, kind="stable")
+        return cls(pair[order], samples[order])
 
     def ends(self) -> np.ndarray:
         """Return (u, v) of the start and of the end of every arc, shape (l, 2, 2)."""
         return np.moveaxis(self.samples[:, :, [0, -1]], 1, 2)
 
-    def hold(self, pairs: Pairs) -> np.ndarray:
-        """Return which pairs of pieces are open because they lie along an arc."""
+    def hold(self, pairs: Pairs, dim: int) -> np.ndarray:
+        """Return which pairs of pieces meet only because they lie along an arc.
+
+        Such pieces, next to each other on the arc, have no other point in common if both go the
+        same way along some axis: then the arc cannot come back to where it was.
+        """
         held = np.zeros(len(pairs.origin), bool)
-        first = np.searchsorted(self.pair, pairs.origin, side="left")
-        last = np.searchsorted(self.pair, pairs.origin, side="right")
-        middle = pairs.start + pairs.width / 2
+        middle, width = pairs.start + pairs.width / 2, pairs.width
+        for which, arc in self._arcs_of(pairs.origin):
+            expected, slope, bend = self._on_arc(arc, middle[0, which])
+            near = np.abs(middle[1, which] - expected) <= width * (1 + slope) / 2 + bend
+            start, end = self.samples[arc, 0, 0], self.samples[arc, 0, -1]
+            near &= (middle[0, which] >= start - width) & (middle[0, which] <= end + width)
+            which, turn = which[near], np.sign(slope[near])
+            held[which[_one_way(plain(pairs.rows[:, which], dim), turn)]] = True
+        return held
+
+    def beside(self, places: Places) -> np.ndarray:
+        """Return which places lie on an arc."""
+        on = np.zeros(len(places.pair), bool)
+        for which, arc in self._arcs_of(places.pair):
+            u, v = places.at[:, which]
+            expected, _, bend = self._on_arc(arc, u)
+            start, end = self.samples[arc, 0, 0], self.samples[arc, 0, -1]
+            inside = (u >= start - SHORT) & (u <= end + SHORT)
+            on[which] |= inside & (np.abs(v - expected) <= bend + SHORT)
+        return on
+
+    def within(self, arc: np.ndarray, other: np.ndarray) -> np.ndarray:
+        """Return which arcs, by number, are parts of others: both of their ends are on them."""
+        inside = np.ones(len(arc), bool)
+        for end in (0, -1):
+            u, v = self.samples[arc, :, end].T
+            expected, _, bend = self._on_arc(other, u)
+            start, stop = self.samples[other, 0, 0], self.samples[other, 0, -1]
+            inside &= (u >= start - SHORT) & (u <= stop + SHORT)
+            inside &= np.abs(v - expected) <= bend + SHORT
+        return inside
+
+    def _arcs_of(self, pair: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
+        """Yield (numbers of entries of `pair`, an arc for each) until all arcs have been named."""
+        first = np.searchsorted(self.pair, pair, side="left")
+        last = np.searchsorted(self.pair, pair, side="right")
         for k in range(int((last - first).max(initial=0))):
             which = np.flatnonzero(first + k < last)
-            samples = self.samples[first[which] + k]
-            u, v = middle[:, which]
-            start, end = samples[:, 0, 0], samples[:, 0, -1]
-            place = np.clip((u - start) / (end - start), 0, 1) * (SAMPLES - 1)
-            i = np.minimum(place.astype(np.intp), SAMPLES - 2)
-            low, high = (samples[np.arange(len(which)), 1, i + step] for step in (0, 1))
-            expected = low + (place - i) * (high - low)
-            slope = np.abs(high - low) * (SAMPLES - 1) / (end - start)
-            near = np.abs(v - expected) <= 2 * pairs.width * (1 + slope)
-            beside = (u >= start - 2 * pairs.width) & (u <= end + 2 * pairs.width)
-            held[which] |= near & beside
-        return held
+            yield which, first[which] + k
+
+    def _on_arc(self, arc: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return the parameter on the second segment, its slope by u, and how wrong it may be."""
+        samples = self.samples[arc]
+        start, end = samples[:, 0, 0], samples[:, 0, -1]
+        place = np.clip((u - start) / (end - start), 0, 1) * (SAMPLES - 1)
+        i = np.minimum(place.astype(np.intp), SAMPLES - 2)
+        low, high = (samples[np.arange(len(arc)), 1, i + step] for step in (0, 1))
+        slope = (high - low) * (SAMPLES - 1) / (end - start)
+        bend = np.abs(np.diff(samples[:, 1], 2, axis=1)).max(axis=1) / 8  # of linear interpolation
+        return low + (place - i) * (high - low), slope, 2 * bend
+
+
+def _one_way(points: np.ndarray, turn: np.ndarray) -> np.ndarray:
+    """Return which pairs of control polygons go along one axis; the second one turned, if -1."""
+    points = np.stack([points[0], turn[:, None, None] * points[1]])
+    edges = points[:, :, 1:] - points[:, :, :-1]
+    chords = points[:, :, -1] - points[:, :, 0]
+    with np.errstate(invalid="ignore", divide="ignore"):
+        axis = (chords / np.sqrt((chords**2).sum(axis=2, keepdims=True))).sum(axis=0)
+    forward: np.ndarray = ((edges * axis[:, None]).sum(axis=3) > 0).all(axis=(0, 2))
+    return forward
+
+
+def same_ends(rows: np.ndarray, dim: int) -> np.ndarray:
+    """Return which pairs (2, m, n + 1, columns) have both ends in common: they may be one arc."""
+    first, second = plain(rows[:, :, [0, -1]], dim)
+    parallel = np.abs(first - second).max(axis=(1, 2)) <= ON
+    opposite = np.abs(first - second[:, ::-1]).max(axis=(1, 2)) <= ON
+    return np.flatnonzero(parallel | opposite)
+
+
+def alongside(rows: np.ndarray, pairs: Pairs, dim: int) -> np.ndarray:
+    """Return which first pieces are so near to the second segment that cutting will not help."""
+    near = np.ones(len(pairs.origin), bool)
+    for place in (0.31, 0.69):  # a crossing may be near to one, but not to both
+        point = _points_at(pairs.rows[0], np.full(len(near), place), dim)
+        least = np.full(len(near), np.inf)
+        for start in range(0, len(near), FEW):
+            part = slice(start, start + FEW)
+            few = np.arange(len(near))[part]
+            which, _, _, distance, _ = local_nearest(rows[1], point, few, pairs.origin[part])
+            np.minimum.at(least, which, distance)
+        near &= least <= BESIDE
+    return near
 
 
 def shared_arcs(rows: np.ndarray, pairs: np.ndarray, dim: int) -> Shared:
     """Return the arcs that pairs of segments, chosen from rows (2, m, n + 1, columns), share."""
-    pair, u, v = _ends_on_the_other(rows, pairs, dim)
-    both = [
-        (i, j)
-        for own in np.split(np.arange(len(pair)), np.flatnonzero(np.diff(pair)) + 1)
-        for i, j in combinations(own, 2)
-        if abs(u[i] - u[j]) > SHORT and abs(v[i] - v[j]) > SHORT
-    ]
-    if not both:
+    if not len(pairs):
         return Shared.none()
-    i, j = np.array(both).T
-    i, j = np.where(u[i] < u[j], i, j), np.where(u[i] < u[j], j, i)
+    pair, u, v = _ends_on_the_other(rows, pairs, dim)
+    i, j = _in_pairs(pair)
+    arc = (u[j] - u[i] > SHORT) & (np.abs(v[i] - v[j]) > SHORT)
+    i, j = i[arc], j[arc]
     samples = np.stack([np.linspace(u[i], u[j], SAMPLES, axis=1)] * 2, axis=1)
     found = _same_points(rows, pair[i], samples, v[i], v[j], dim)
     pair, samples = pair[i][found], samples[found]
     longest = np.lexsort((samples[:, 0, 0] - samples[:, 0, -1], pair))
     pair, samples = pair[longest], samples[longest]
-    kept: list[int] = []
-    for k in range(len(pair)):  # without those that are parts of others
-        if not any(
-            pair[k] == pair[other] and _within(samples[k], samples[other]) for other in kept
-        ):
-            kept.append(k)
-    return Shared(pair[kept], samples[kept])
+    arcs, keep = Shared(pair, samples), np.ones(len(pair), bool)
+    i, j = _in_pairs(pair)
+    keep[j[arcs.within(j, i)]] = False
+    return Shared(pair[keep], samples[keep])
+
+
+def _in_pairs(pair: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return all (i, j), i < j, with equal entries, which stand together.
+
+    >>> [k.tolist() for k in _in_pairs(np.array([4, 4, 7, 7, 7]))]
+    [[0, 2, 3, 2], [1, 3, 4, 4]]
+    """
+    parts = [(np.empty(0, np.intp), np.empty(0, np.intp))]
+    for step in range(1, len(pair)):
+        i = np.flatnonzero(pair[step:] == pair[:-step])
+        if not len(i):
+            break
+        parts.append((i, i + step))
+    i, j = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return i, j
 
 
 def _ends_on_the_other(
@@ -125,8 +205,7 @@ def _same_points(
     """Fill in the parameters on the second segment, and return which arcs are shared."""
     count = len(pair)
     inner = samples[:, 0].ravel()
-    points = values_at(np.repeat(rows[0, pair], SAMPLES, axis=0), inner)
-    points = points[:, :dim] / points[:, dim:] if points.shape[1] > dim else points
+    points = _points_at(np.repeat(rows[0, pair], SAMPLES, axis=0), inner, dim)
     which, v = _on(rows[1, pair], points, np.repeat(np.arange(count), SAMPLES))
     low, high = np.minimum(v_start, v_end), np.maximum(v_start, v_end)
     arc = which // SAMPLES
@@ -150,6 +229,6 @@ def _on(rows: np.ndarray, points: np.ndarray, piece: np.ndarray) -> tuple[np.nda
     return point[on], u[on]
 
 
-def _within(inner: np.ndarray, outer: np.ndarray) -> bool:
-    low, high = outer.min(axis=1) - SHORT, outer.max(axis=1) + SHORT
-    return bool(((inner.min(axis=1) >= low) & (inner.max(axis=1) <= high)).all())
+def _points_at(rows: np.ndarray, u: np.ndarray, dim: int) -> np.ndarray:
+    values = values_at(rows, u)
+    return values[:, :dim] / values[:, dim:] if values.shape[1] > dim else values
