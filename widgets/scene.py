@@ -7,7 +7,7 @@ frame and matplotlib once. An author writes no coordinates transform, no event h
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import sympy as sp
@@ -19,6 +19,7 @@ from symbolic.exact import whole_number
 from .extent import fit_views, snap_for
 from .marks import Colour, Marks
 from .palette import PALETTE
+from .questions import HINT, question_data
 from .reading import colours, plane_points, positive, span, text
 from .reading import labels as read_labels
 from .version import VERSION
@@ -59,6 +60,7 @@ class Scene(Marks):
         ]
         self._points: list[dict[str, Any]] = []
         self._inputs: list[sp.Symbol] = []
+        self._questions: list[dict[str, Any]] = []
 
     def points(
         self,
@@ -145,6 +147,46 @@ class Scene(Marks):
         self.captions = [text(caption, "caption") for caption in captions]
         self.first_step = int(first)
 
+    def question(
+        self,
+        prompt: str,
+        answer: Any,
+        variables: Sequence[sp.Symbol] = (),
+        mistakes: Mapping[str, Any] | None = None,
+        hint: str = HINT,
+        since: int = 0,
+        until: int | None = None,
+    ) -> None:
+        """Ask a question; what a learner types is checked exactly, without a kernel.
+
+        Parameters
+        ----------
+        prompt : str
+        answer : expression or list of them (a point, a row, a matrix row by row)
+            In the figure's inputs and the variables: quotients of polynomials with exact
+            coefficients.
+        variables : symbols that a learner may type, such as t; else the answer is numbers
+        mistakes : {what to say: wrong answer}
+        hint : str
+            What to say about any other wrong answer.
+        since, until : steps at which it is asked, one at a time
+
+        Raises
+        ------
+        BadValue, BadType
+            For answers that cannot be checked exactly, and mistakes that are right.
+
+        Examples
+        --------
+        >>> scene = Scene()
+        >>> a, b = scene.points([[0, 0], [4, 2]])
+        >>> half = [(p + q) / 2 for p, q in zip(a, b)]
+        >>> scene.question("Where is the middle?", half, mistakes={"That is their sum.":
+        ...                [p + q for p, q in zip(a, b)]})
+        """
+        data = question_data(prompt, answer, self._inputs, variables, mistakes or {}, hint)
+        self._questions.append({**data, "from": since, "until": until})
+
     def view(self, name: str, x: Any, y: Any, title: str = "", equal: bool = False) -> int:
         """Add a second drawing over given ranges and return its number, for ``view=``."""
         self._views.append({
@@ -162,7 +204,7 @@ class Scene(Marks):
             "palette": PALETTE, "views": [dict(view) for view in self._views],
             "points": self._points, "sliders": self._sliders, "steps": self.captions,
             "step": self.first_step, "axes": self._axes, "tape": tape.to_json(),
-            "marks": self._marks,
+            "marks": self._marks, "questions": self._questions,
         }  # fmt: skip
         fit_views(scene, tape)
         return scene

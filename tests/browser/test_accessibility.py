@@ -11,8 +11,10 @@ FOCUSED = """() => {
   return element.ariaLabel ?? element.textContent;
 }"""
 HANDLES = ["b 0", "b 1", "b 2", "b 3"]
-BEFORE, AFTER = ["Undo", "Reset"], ["Step back", "Play the steps", "Step forward", "Step",
-                                    "Play t", "t", "t, number", "Numbers"]  # fmt: skip
+PROMPT = "Predict before you look: where is c(1/4)? Type (x, y)."
+BEFORE = ["Undo", "Reset"]
+AFTER = ["Step back", "Play the steps", "Step forward", "Step", PROMPT, f"Check: {PROMPT}",
+         "Play t", "t", "t, number", "Numbers"]  # fmt: skip
 
 
 def press(figure: Locator, key: str) -> str:
@@ -48,7 +50,10 @@ def test_every_control_has_a_name(show: Show, name: str) -> None:
     nodes = session.send("Accessibility.getFullAXTree")["nodes"]
     roles = {"button", "slider", "textbox", "DisclosureTriangle"}
     controls = [node for node in nodes if node.get("role", {}).get("value") in roles]
-    assert len(controls) == figure.locator("button, input, summary, .handle").count()
+    assert (
+        len(controls)
+        == figure.locator(":is(button, input, summary, .handle):not([hidden])").count()
+    )
     names = [node["name"]["value"] for node in controls]
     assert all(names)
     assert len(set(names)) == len(names)

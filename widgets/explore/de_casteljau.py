@@ -63,6 +63,7 @@ def de_casteljau(points: Any = CUBIC, t: Any = Fraction(3, 8), step: int | None 
         _draw_lerp(scene, levels, r, i, at)
     _link_panels(scene, levels, at)
     scene.readout("c(t)", levels[-1][0])
+    _ask(scene, b)
     return Figure(scene)
 
 
@@ -93,6 +94,34 @@ def _link_panels(scene: Scene, levels: Any, at: dict[tuple[int, int], int]) -> N
     scene.scheme(levels, labels, [at.get(entry, 0) for entry in entries], shares)
     scene.weights(list(weights[n]), [f"B_{i}^{n}" for i in range(n + 1)],
                   title="Share of every control point in c(t)")  # fmt: skip
+
+
+def _ask(scene: Scene, b: Any) -> None:
+    """Ask for the point at a quarter, with what is mostly answered instead."""
+    quarter = sp.Rational(1, 4)
+    first, last = b[0], b[-1]
+    mistakes = {
+        "That is c(3/4): the share of the left end of a leg is 1 - t.": _point(b, 1 - quarter),
+        "That is the mean of all control points.":
+            [sum(xs) / len(b) for xs in zip(*b, strict=True)],
+        "That is a quarter of the way along the chord from the first point to the last.":
+            [p + quarter * (q - p) for p, q in zip(first, last, strict=True)],
+        "That is the first step only. Go on until one point is left.":
+            [p + quarter * (q - p) for p, q in zip(first, b[1], strict=True)],
+    }  # fmt: skip
+    right = _point(b, quarter)
+    apart = {text: wrong for text, wrong in mistakes.items() if not _alike(wrong, right)}
+    scene.question("Predict before you look: where is c(1/4)? Type (x, y).", right, mistakes=apart,
+                   hint="Not yet. Divide every leg at a quarter of its length, then the new "
+                   "legs, until one point is left.")  # fmt: skip
+
+
+def _point(b: Any, t: Any) -> Any:
+    return levels_of(b, t)[-1][0]
+
+
+def _alike(one: Any, other: Any) -> bool:
+    return all(sp.expand(p - q) == 0 for p, q in zip(one, other, strict=True))
 
 
 def _captions(lerps: list[tuple[int, int]], n: int) -> list[str]:

@@ -10,6 +10,7 @@ import { createDrawing } from "./drawing.js";
 import { DRAWING_MARKS } from "./marks.js";
 import { createNumbers } from "./numbers.js";
 import { createPanel, PANEL_MARKS } from "./panels.js";
+import { createQuestion } from "./question.js";
 import { createStore } from "./store.js";
 import { load } from "./tape.js";
 
@@ -61,6 +62,8 @@ function createContext(/** @type {Shell} */ shell, /** @type {Model} */ model) {
       if (!Object.hasOwn(tape.outputs, name)) throw new Error(`A mark uses "${name}", which is no output of the tape.`);
       return tape.outputs[name];
     },
+    /** The figure's inputs as they stand, by the names the tape has for them. */
+    inputsByName: () => Object.fromEntries(Array.from(inputs, (value, i) => [scene.tape.inputs[i], value])),
     /** Where the focus goes when a learner leaves the drawing with Escape. */
     leaveDrawing() {
       /** @type {HTMLElement | null} */ (shell.root.querySelector(".after :is(button, input, summary)"))?.focus();
@@ -90,6 +93,7 @@ export function createFigure(shell, model) {
   const sliders = scene.sliders.map((slider) => createSlider(figure, slider));
   const panels = scene.marks.filter(({ kind }) => Object.hasOwn(PANEL_MARKS, kind))
     .map((mark) => createPanel(figure, mark));
+  const questions = scene.questions.map((question) => createQuestion(figure, question));
   const numbers = createNumbers(figure);
   figure.stopPlaying = () => [...steps, ...sliders].forEach((control) => control.stop());
 
@@ -100,12 +104,13 @@ export function createFigure(shell, model) {
     html("div", { class: "head" }, html("p", { class: "title" }, htmlLabel(scene.title)), history.element),
     html("div", { class: "views" }, ...views),
     html("div", { class: "after controls" }, ...elements(steps),
+      ...(questions.length > 0 ? [html("div", { class: "questions" }, ...elements(questions))] : []),
       ...(sliders.length > 0 ? [html("div", { class: "sliders" }, ...elements(sliders))] : [])),
     ...(panels.length > 0 ? [html("div", { class: "after panels" }, ...elements(panels))] : []),
     ...(numbers ? [html("div", { class: "after table" }, numbers.element)] : [])));
 
   /** @type {Part[]} */
-  const parts = [...drawings, history, ...steps, ...sliders, ...panels, ...(numbers ? [numbers] : [])];
+  const parts = [...drawings, history, ...steps, ...questions, ...sliders, ...panels, ...(numbers ? [numbers] : [])];
   const draw = () => {
     figure.run();
     for (const part of parts) part.update();

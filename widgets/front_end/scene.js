@@ -60,6 +60,16 @@
  * @property {number[]} [froms]
  * @property {string} [weights]
  *
+ * @typedef {object} Question  asked before the reveal, checked exactly
+ * @property {string} prompt
+ * @property {TapeData} tape       "answer" and the mistakes, from the figure's inputs and the variables
+ * @property {string[]} variables  that may be typed
+ * @property {{output: string, message: string}[]} mistakes
+ * @property {string} hint         when the answer is wrong in no known way
+ * @property {boolean} live        whether the answer depends on the figure's inputs
+ * @property {number} from
+ * @property {number | null} until
+ *
  * @typedef {object} Scene
  * @property {string} version
  * @property {string} title
@@ -73,6 +83,7 @@
  * @property {Axis[]} axes
  * @property {TapeData} tape
  * @property {Mark[]} marks
+ * @property {Question[]} questions
  *
  * @typedef {{points: string[], curve: string, construction: string, muted: string, accent: string}} Palette
  *
