@@ -95,4 +95,6 @@ def evaluate(
                 runners[key] = Runner(point_plan(*kind, one), len(chunk))
             inputs = [gather(row, u) if one else partial(gather, row) for row in rows]
             runners[key].run([*inputs, u], out[:, first : first + CHUNK])
+    if count == 1:  # a constant, also at what is no number
+        out[:, np.isnan(t) | np.isinf(t)] = np.nan
     return out

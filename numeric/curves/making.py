@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
+from warnings import catch_warnings, simplefilter
 
 import numpy as np
 import sympy as sp
@@ -186,7 +187,9 @@ def _expression_rows(coordinates: Any, t: Any, start: Any, end: Any) -> tuple[np
         rows = polynomial_to_bezier(expressions, t, (start, end))
         return float_points(rows), False
     local = [e.xreplace({t: start + (end - start) * t}) for e in expressions]
-    curve = rational_to_bezier(local, t)
+    with catch_warnings():
+        simplefilter("ignore")  # weights of both signs are no matter here
+        curve = rational_to_bezier(local, t)
     return with_weights(float_points(curve.points), curve.weights), True
 
 

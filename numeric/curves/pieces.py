@@ -138,9 +138,11 @@ def transform(curve: Curve, matrix: Any, offset: Any = None) -> Curve:
     array([7., 1.])
     """
     linear = real_array(matrix, "a matrix")
+    shift = real_array(0 if offset is None else offset, "an offset")
+    if not (np.isfinite(linear).all() and np.isfinite(shift).all()):
+        raise BadValue("finite numbers", shown((matrix, offset)), "Mend the map.")
     if linear.ndim == 0:
         linear = linear * np.eye(curve.dim)
-    shift = real_array(0 if offset is None else offset, "an offset")
     if (
         linear.ndim != 2
         or linear.shape[1] != curve.dim
@@ -151,8 +153,6 @@ def transform(curve: Curve, matrix: Any, offset: Any = None) -> Curve:
             f"shapes {linear.shape} and {shift.shape}",
             "The map is x -> matrix x + offset.",
         )
-    if not (np.isfinite(linear).all() and np.isfinite(shift).all()):
-        raise BadValue("finite numbers", shown((matrix, offset)), "Mend the map.")
     rows = curve.rows
     shift = np.broadcast_to(shift, linear.shape[:1])
     if not curve.rational:
