@@ -18,5 +18,6 @@ __all__ = [
     "float_points",
     "glyph",
     "intersect_segments",
+    "intersect_segments",
     "real_number",
 ]

@@ -9,13 +9,12 @@ import numpy as np
 
 from symbolic.errors import BadType, BadValue, shown
 
-from ..curves.pieces import MEETING
 from ..measures.boxes import control_boxes
-from ..measures.scale import parameters
 from .near import meeting
 from .places import Places
 from .segments import lengths, places_and_arcs, points_at
 from .shared import SHORT, Shared
+from .track import Track, runs
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -100,30 +99,42 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
         first, second = curve.homogeneous, other.homogeneous
     i, j = _near(curve, other)
     found, arcs = places_and_arcs(first, second, (i, j), dim)
-    places = Places(
-        np.zeros(len(found.pair), np.intp),
-        found.at + [i[found.pair], j[found.pair]],
-        found.error,
-        found.transversal,
-    )
-    samples = arcs.samples + np.stack([i[arcs.pair], j[arcs.pair]], axis=1)[:, :, None]
-    for side, c in enumerate((curve, other)):
-        places = at_one_seam(places, side, c)
-    places = _off_arcs(places, Shared(i[arcs.pair], samples), curve, other).single()
-    places = places.chosen(np.lexsort((places.at[1], places.at[0])))
-    (k, u), (m, v) = (
-        segment_and_u(at, len(c)) for at, c in zip(places.at, (curve, other), strict=True)
-    )
+    tracks = Track.of(curve), Track.of(other)
+    there = [
+        track.once(number[found.pair], u, error)
+        for track, number, u, error in zip(tracks, (i, j), found.at, found.error, strict=True)
+    ]
+    at = np.stack([track.along(*place) for track, place in zip(tracks, there, strict=True)])
+    places = Places(np.zeros_like(found.pair), at, found.error + np.spacing(at), found.transversal)
+    numbers = np.stack([i[arcs.pair], j[arcs.pair]])
+    starts = np.stack([track.first[k] for track, k in zip(tracks, numbers, strict=True)], axis=1)
+    samples = arcs.samples + starts[:, :, None]
+    kept = np.flatnonzero(~_on_arcs(places, numbers[0], samples, tracks))
+    kept = kept[places.chosen(kept).kept()]
+    t, s = (track.parameters(*place) for track, place in zip(tracks, there, strict=True))
+    kept = kept[np.lexsort((s[kept], t[kept]))]
+    (k, u), (m, v) = ((segment[kept], u[kept]) for segment, u in there)
     points = points_at(curve.rows[k], u, dim)
-    distance = lengths(points - points_at(other.rows[m], v, dim))
-    shared = joined(samples[:, :, [0, -1]].transpose(0, 2, 1), SHORT)
-    for side, c in enumerate((curve, other)):
-        ends = parameters(c, *segment_and_u(shared[..., side].ravel(), len(c)))
-        shared[..., side] = ends.reshape(-1, 2)
     return Intersections(
-        parameters(curve, k, u), parameters(other, m, v), points, distance,
-        places.transversal, shared,
+        t[kept], s[kept], points,
+        lengths(points - points_at(other.rows[m], v, dim)), places.transversal[kept],
+        _shared(tracks, numbers, arcs.ends(), samples),
     )  # fmt: skip
+
+
+def _shared(
+    tracks: tuple[Track, Track], numbers: np.ndarray, ends: np.ndarray, samples: np.ndarray
+) -> np.ndarray:
+    """Return the parameters at both ends of all arcs, those that continue each other as one."""
+    first, last = runs(samples[:, :, [0, -1]].transpose(0, 2, 1), SHORT)
+    shared = [
+        [
+            track.parameters(number[arc], ends[arc, end, side])
+            for end, arc in ((0, first), (1, last))
+        ]
+        for side, (track, number) in enumerate(zip(tracks, numbers, strict=True))
+    ]
+    return np.moveaxis(np.array(shared), (0, 1, 2), (2, 1, 0))
 
 
 def _near(curve: Curve, other: Curve) -> tuple[np.ndarray, np.ndarray]:
@@ -154,50 +165,20 @@ def _without_joints(curve: Curve) -> np.ndarray:
     return number[~point | ~(np.append(False, joined) | leads)]
 
 
-def segment_and_u(at: np.ndarray, segments: int) -> tuple[np.ndarray, np.ndarray]:
-    """Return segment and u in [0, 1] of places counted in segments."""
-    segment = np.minimum(at.astype(np.intp), segments - 1)
-    return segment, at - segment
-
-
-def at_one_seam(places: Places, side: int, curve: Curve) -> Places:
-    """Return places with the end of a closed curve told as its start."""
-    if not _is_closed(curve):
-        return places
-    at = places.at.copy()
-    at[side, at[side] >= len(curve) - np.minimum(places.error[side], SHORT)] = 0
-    return places._replace(at=at)
-
-
-def _is_closed(curve: Curve) -> bool:
-    points = curve.points
-    return bool(np.abs(points[-1, -1] - points[0, 0]).max() <= MEETING * np.abs(points).max())
-
-
-def _off_arcs(places: Places, arcs: Shared, curve: Curve, other: Curve) -> Places:
-    """Return the places that do not lie on arcs, whose `pair` is the segment of `curve`.
+def _on_arcs(
+    places: Places, segment: np.ndarray, samples: np.ndarray, tracks: tuple[Track, Track]
+) -> np.ndarray:
+    """Return which places lie on arcs: those on `segment` of the first curve.
 
     An arc may end at the end of a closed curve, which places tell as its start.
     """
-    if not len(arcs.pair):
-        return places
-    arcs = Shared.all_of([arcs])
     on = np.zeros(len(places.pair), bool)
-    turns = [(0, len(c)) if _is_closed(c) else (0,) for c in (curve, other)]
-    for turn in product(*turns):
+    if not len(samples):
+        return on
+    arcs = Shared.all_of([Shared(tracks[0].first[segment], samples)])
+    for turn in product(*((0, track.length) if track.closed else (0,) for track in tracks)):
         at = places.at + np.array(turn)[:, None]
         for beside in (-SHORT, SHORT):
-            segment = np.floor(at[0] + beside).astype(np.intp)
-            on |= arcs.beside(places._replace(pair=segment, at=at))
-    return places.chosen(~on)
-
-
-def joined(ends: np.ndarray, near: float) -> np.ndarray:
-    """Return both ends of all arcs (l, 2, 2), those that continue each other as one."""
-    if not len(ends):
-        return ends
-    ends = ends[np.lexsort((ends[:, 0, 1], ends[:, 0, 0]))]
-    apart = (np.abs(ends[1:, 0] - ends[:-1, 1]) > near).any(axis=1)
-    first = np.flatnonzero(np.append(True, apart))
-    last = np.append(first[1:], len(ends)) - 1
-    return np.stack([ends[first, 0], ends[last, 1]], axis=1)
+            start = np.floor(at[0] + beside).astype(np.intp)
+            on |= arcs.beside(places._replace(pair=start, at=at))
+    return on

@@ -11,11 +11,11 @@ from symbolic.errors import BadValue, shown
 from ..bernstein.evaluation import values_at
 from ..bernstein.form import derivative
 from ..bernstein.roots import EPSILON, roots
-from ..measures.scale import parameters
 from ..points import real_array
-from .curves import Intersections, at_one_seam, joined, segment_and_u
+from .curves import Intersections
 from .places import Places
 from .segments import points_at
+from .track import Track, runs
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -69,28 +69,35 @@ def intersect_line(curve: Curve, point: Any, direction: Any) -> Intersections:
     w = curve.rows[..., 2:] if curve.rational else np.ones((1, 1, 1))
     heights = (rows - w * start) @ normal
     noise = NOISE * (np.abs(rows).max(axis=(1, 2)) + np.abs(w * start).max(axis=(1, 2)))
-    places = _places(heights, noise)
-    places = at_one_seam(places, 0, curve).single()
-    k, u = segment_and_u(places.at[0], len(curve))
+    k, u, error, transversal = _places(heights, noise)
+    track = Track.of(curve)
+    k, u = track.once(k, u, error)
+    at = track.along(k, u)
+    error = error + np.spacing(at)
+    places = Places(np.zeros_like(k), np.stack([at, 0 * at]), np.stack([error, error]), transversal)
+    kept = places.kept()
+    t = track.parameters(k, u)
+    kept = kept[np.argsort(t[kept])]
+    t, k, u = t[kept], k[kept], u[kept]
     points = points_at(curve.rows[k], u, 2)
 
     def on_line(points: np.ndarray) -> np.ndarray:
         return (points - start) @ (along / largest) / ((along / largest) ** 2).sum() / largest
 
     inside = np.flatnonzero((np.abs(heights) <= noise[:, None]).all(axis=1))
-    ends = curve.points[inside][:, [0, -1]]
-    places_of_ends = inside[:, None] + np.array([0.0, 1.0])
-    shared = joined(np.stack([places_of_ends, on_line(ends)], axis=2), JOINED)
-    t = parameters(curve, *segment_and_u(shared[..., 0].ravel(), len(curve)))
-    shared[..., 0] = t.reshape(-1, 2)
+    s = on_line(curve.points[inside][:, [0, -1]])
+    first, last = runs(np.stack([track.first[inside, None] + [0, 1], s], axis=2), JOINED)
+    ends = [track.parameters(inside[first], np.zeros(len(first))),
+            track.parameters(inside[last], np.ones(len(last)))]  # fmt: skip
+    shared = np.stack([np.stack(ends, axis=1), np.stack([s[first, 0], s[last, 1]], axis=1)], axis=2)
     return Intersections(
-        parameters(curve, k, u), on_line(points), points, np.abs((points - start) @ normal),
-        places.transversal, shared,
+        t, on_line(points), points, np.abs((points - start) @ normal),
+        transversal[kept], shared,
     )  # fmt: skip
 
 
-def _places(heights: np.ndarray, noise: np.ndarray) -> Places:
-    """Return the places, counted in segments, where heights (m, n + 1) above the line vanish.
+def _places(heights: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return (segment, u, error of u, transversal) where heights (m, n + 1) above the line vanish.
 
     Ends that are on the line within rounding count. Segments that lie in the line have none.
     """
@@ -104,9 +111,7 @@ def _places(heights: np.ndarray, noise: np.ndarray) -> Places:
         error = noise[row] / np.maximum(slope, noise[row] / LONGEST)
         u = np.full(len(row), float(end > 0))
         parts.append((row, u, error, slope > TANGENT * size[row]))
-    row, u, error, crossing = (np.concatenate(column) for column in zip(*parts, strict=True))
-    at = np.stack([row + u, np.zeros(len(row))])
-    return Places(np.zeros(len(row), np.intp), at, np.stack([error, error]), crossing)
+    return tuple(np.concatenate(column) for column in zip(*parts, strict=True))
 
 
 def _touching(heights: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, ...]:

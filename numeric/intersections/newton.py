@@ -9,6 +9,7 @@ import numpy as np
 from .pieces import NOISE
 
 STEPS = 8
+BLURRED = 2.0**-20  # a crossing is told if its parameters on the segments are known so well
 SETTLED = 1e-9  # a step as short as this is the last but one: errors are squared
 
 
@@ -30,7 +31,7 @@ class Solved(NamedTuple):
     distance: np.ndarray
 
 
-def crossings(rows: np.ndarray, dim: int) -> tuple[np.ndarray, Solved]:
+def crossings(rows: np.ndarray, width: float, dim: int) -> tuple[np.ndarray, Solved]:
     """Return which pairs of pieces (2, k, n + 1, columns) are found to cross, and where.
 
     A pair that is not found may still cross. Steps solve for where the tangents meet; in space,
@@ -47,12 +48,26 @@ def crossings(rows: np.ndarray, dim: int) -> tuple[np.ndarray, Solved]:
                 break
         error = NOISE * _lengths(slopes)
         settled = np.abs(step) <= np.maximum(SETTLED, error)
-        inside = (at >= -error) & (at <= 1 + error) & (error < 0.5)
+        inside = (at >= -error) & (at <= 1 + error) & (error < np.minimum(0.5, BLURRED / width))
         at = np.minimum(np.maximum(at, 0), 1)
         points = point_and_slopes(columns, at, dim)[0]
         distance = np.sqrt(((points[:, 0] - points[:, 1]) ** 2).sum(axis=0))
         met = (settled & inside).all(axis=0) & (distance <= 4 * NOISE)
     return met, Solved(at[:, met], error[:, met], distance[met])
+
+
+def crossing_from(
+    columns: np.ndarray, at: np.ndarray, reach: np.ndarray, dim: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return where tangents lead from given places, within reach of them, and the distance."""
+    given = at
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            points, slopes, _ = point_and_slopes(columns, at, dim)
+            step = np.nan_to_num(_step(points, slopes), posinf=0, neginf=0)
+            at = np.clip(np.clip(at + step, given - reach, given + reach), 0, 1)
+        points = point_and_slopes(columns, at, dim)[0]
+    return at, np.sqrt(((points[:, 0] - points[:, 1]) ** 2).sum(axis=0))
 
 
 def point_and_slopes(

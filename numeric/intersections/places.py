@@ -45,17 +45,14 @@ class Places(NamedTuple):
         return cls(*(np.concatenate(column, axis=-1) for column in zip(*parts, strict=True)))
 
     def single(self) -> Places:
-        """Return every place once: those found from two sides of a cut are equal within errors.
+        """Return every place once: those found from two sides of a cut are equal within errors."""
+        return self.chosen(self.kept()) if len(self.pair) > 1 else self
 
-        Of equal ones a touching place is kept, or else the one with the least error.
-        """
-        if len(self.pair) < 2:
-            return self
+    def kept(self) -> np.ndarray:
+        """Return one of equal places: one that touches, or else the one with the least error."""
         group = clusters(self.pair, self.at, self.error + SAME / 2)
-        if group.max() == len(group) - 1:
-            return self
         best = np.lexsort((self.error.sum(axis=0), self.transversal, group))
-        return self.chosen(best[np.diff(group[best], prepend=-1) > 0])
+        return best[np.diff(group[best], prepend=-1) > 0]
 
     def without(self, others: Places, reach: np.ndarray) -> Places:
         """Return the places that are no nearer than `reach`, one for each, to any of others."""

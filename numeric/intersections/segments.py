@@ -96,8 +96,8 @@ def intersect_rows(first: np.ndarray, second: np.ndarray, dim: int) -> SegmentIn
     points, others = (points_at(rows[places.pair], at, dim)
                       for rows, at in zip((first, second), places.at, strict=True))  # fmt: skip
     return SegmentIntersections(
-        places.pair, places.at[0], places.at[1], points, lengths(points - others), places.transversal,
-        arcs.pair, arcs.ends(),
+        places.pair, places.at[0], places.at[1], points, lengths(points - others),
+        places.transversal, arcs.pair, arcs.ends(),
     )  # fmt: skip
 
 

@@ -49,6 +49,11 @@ class Shared(NamedTuple):
         order = np.argsort(pair, kind="stable")
         return cls(pair[order], samples[order])
 
+    def of_others(self, pairs: np.ndarray) -> Shared:
+        """Return the arcs of other pairs than these."""
+        others = ~np.isin(self.pair, pairs)
+        return Shared(self.pair[others], self.samples[others])
+
     def ends(self) -> np.ndarray:
         """Return (u, v) of the start and of the end of every arc, shape (l, 2, 2)."""
         return np.moveaxis(self.samples[:, :, [0, -1]], 1, 2)
@@ -121,6 +126,20 @@ def _one_way(points: np.ndarray, turn: np.ndarray) -> np.ndarray:
         axis = (chords / np.sqrt((chords**2).sum(axis=2, keepdims=True))).sum(axis=0)
     forward: np.ndarray = ((edges * axis[:, None]).sum(axis=3) > 0).all(axis=(0, 2))
     return forward
+
+
+def evident_arcs(rows: np.ndarray, dim: int) -> Shared:
+    """Return arcs of pairs (2, m, n + 1, columns) that have both ends in common, if they share any.
+
+    Segments with the same control points, in either order, need not be compared.
+    """
+    equal = (rows[0] == rows[1]).all(axis=(1, 2))
+    turned = (rows[0] == rows[1, :, ::-1]).all(axis=(1, 2)) & ~equal
+    u = np.linspace(0, 1, SAMPLES)
+    pair = np.concatenate([np.flatnonzero(equal), np.flatnonzero(turned)])
+    samples = np.repeat([[u, u], [u, u[::-1]]], [equal.sum(), turned.sum()], axis=0)
+    others = np.setdiff1d(same_ends(rows, dim), pair)
+    return Shared.all_of([Shared(pair, samples), shared_arcs(rows, others, dim)])
 
 
 def same_ends(rows: np.ndarray, dim: int) -> np.ndarray:

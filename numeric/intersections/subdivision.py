@@ -11,7 +11,7 @@ import numpy as np
 from .newton import Solved, crossings
 from .pieces import Pairs, cut, meet_once, plain
 from .places import Places
-from .shared import Shared, alongside, same_ends, shared_arcs
+from .shared import Shared, alongside, evident_arcs, shared_arcs
 from .touching import touching_places
 
 FIRST, PARTS = 8, 4  # parts of a segment at first, and of a piece from then on
@@ -23,13 +23,12 @@ TOGETHER = 16  # pairs of segments that may have so many
 
 def subdivided(rows: np.ndarray, dim: int) -> tuple[Places, Shared]:
     """Return where rows (2, m, n + 1, columns) of size 1 meet, and the arcs they share."""
-    arcs = shared_arcs(rows, same_ends(rows, dim), dim)
+    arcs = evident_arcs(rows, dim)
     whole = Pairs(rows, np.arange(rows.shape[1]), np.zeros(rows.shape[:2]), 1.0)
     crossing, open_, crowds = _cut_down(whole, dim, CROWDED * max(rows.shape[2] - 1, 1), arcs)
     if crowds:
         origins = np.unique(np.concatenate([pairs.origin for pairs in crowds]))
-        more_arcs = shared_arcs(rows, np.setdiff1d(origins, arcs.pair), dim)
-        arcs = Shared.all_of([arcs, more_arcs])
+        arcs = Shared.all_of([arcs.of_others(origins), shared_arcs(rows, origins, dim)])
     for pairs in crowds:
         pairs = pairs.chosen(~arcs.hold(pairs, dim))
         beside = alongside(rows, pairs, dim)
@@ -59,7 +58,7 @@ def _cut_down(
             pairs = pairs.chosen(~arcs.hold(pairs, dim))
         once = np.flatnonzero(meet_once(plain(pairs.rows, dim)))
         if len(once):
-            met, solved = crossings(pairs.rows[:, once], dim)
+            met, solved = crossings(pairs.rows[:, once], pairs.width, dim)
             crossing.append(_on_segments(pairs.chosen(once[met]), solved))
             pairs = pairs.chosen(np.delete(np.arange(len(pairs.origin)), once[met]))
         crowded = np.bincount(pairs.origin, minlength=1)[pairs.origin] > limit

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 
 from ..measures.nearest import local_nearest
-from .newton import nearest_places, point_and_slopes
+from .newton import crossing_from, nearest_places, point_and_slopes
 from .pieces import NOISE, Pairs, plain
 from .places import Places, clusters
 
@@ -64,10 +64,14 @@ def _of_clusters(rows: np.ndarray, pairs: Pairs, dim: int) -> tuple[Places, np.n
         np.maximum.at(high[side], cluster, pairs.start[side] + pairs.width)
     origin = pairs.origin[first]
     reach = (high - low) / 2 + 4 * pairs.width
-    solved = nearest_places(_columns(rows, origin), (low + high) / 2, reach, dim)
-    touch = np.flatnonzero(solved.distance <= TOUCH)
-    places = Places(origin[touch], solved.at[:, touch], reach[:, touch], np.zeros(len(touch), bool))
-    return places, solved.distance[touch]
+    columns, middle = _columns(rows, origin), (low + high) / 2
+    at, distance = crossing_from(columns, middle, reach, dim)
+    solved = nearest_places(columns, middle, reach, dim)
+    nearest = solved.distance <= np.maximum(distance, TOUCH)  # the crossings of nearly equal arcs
+    at, distance = np.where(nearest, solved.at, at), np.where(nearest, solved.distance, distance)
+    touch = np.flatnonzero(distance <= TOUCH)
+    places = Places(origin[touch], at[:, touch], reach[:, touch], np.zeros(len(touch), bool))
+    return places, distance[touch]
 
 
 def _one_of_each_contact(
