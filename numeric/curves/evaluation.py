@@ -14,9 +14,16 @@ from ..tape.runner import CHUNK, Runner
 from .spans import Spans, Workspace
 
 # Largest error against exact values, relative to the largest control point, over random and
-# alternating control points: degree 3 1e-15, 5 6e-15, 7 5e-14, 8 2e-13, 12 2e-11, 20 5e-8. The
-# Bernstein form stays near 1e-15 at every degree, and costs a few times more.
-# `python -m benchmarks.horner_degree` measures it.
+# alternating control points (`python -m benchmarks.stability`; a test holds the table):
+#
+#   degree      Bernstein form         power form, Horner's rule
+#            float64    float32         float64    float32
+#      3     3e-16      2e-7            6e-16      6e-7
+#      7     5e-16      3e-7            4e-14      2e-5
+#     12     6e-16      3e-7            5e-12      8e-3
+#     25     2e-15      6e-7            2e-5       all digits
+#
+# The power form loses about half a digit a degree and costs a third of the time.
 HORNER_DEGREE = 7
 
 
