@@ -18,6 +18,5 @@ __all__ = [
     "float_points",
     "glyph",
     "intersect_segments",
-    "intersect_segments",
     "real_number",
 ]

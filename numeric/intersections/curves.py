@@ -52,8 +52,9 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
 
     Every intersection where the tangents differ is found, unless the curves run alongside each
     other closer than about 1e-8 of their size there. Where they touch, the place with the least
-    distance is told, if that is below 1e-13 of the segments' size. Ends count. A closed curve's
-    start and end are one place.
+    distance is told, if that is below 1e-13 of the size: the largest coordinate of both segments.
+    Ends count. A closed curve's start and end are one place, and so are the parameters at which a
+    curve stands still.
 
     Parameters
     ----------
@@ -76,6 +77,9 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
     Subdivision leaves out pieces whose boxes are apart, along the axes or along and across their
     chords, and solves by Newton's method for pieces that meet at most once, as their directions
     show (Sederberg and Meyers, 1988).
+
+    An arc in common is found by its ends, where one of the segments ends. Of curves that fold back
+    within a line, arcs that end at a fold are not told; a place on them is, as touching.
 
     Examples
     --------

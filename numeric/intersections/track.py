@@ -60,7 +60,7 @@ class Track(NamedTuple):
         """Return the curve's parameters; the end of a segment before a gap is just before it."""
         t = parameters(self.curve, segment, u)
         after = np.append(self.first, self.length)[segment + 1]
-        before_gap = (u == 1) & (after > self.first[segment] + 1)
+        before_gap = (t >= self.curve.breaks[segment + 1]) & (after > self.first[segment] + 1)
         return np.where(before_gap, np.nextafter(t, self.curve.breaks[0]), t)
 
 

@@ -332,7 +332,7 @@ def hostile(shape, random, degree, segments, dim):
     return rows
 
 
-@settings(max_examples=80, deadline=None)
+@settings(max_examples=50, deadline=None)
 @given(seeds, shapes, shapes, st.integers(0, 8), st.integers(1, 4), st.integers(2, 3),
        st.booleans(), st.sampled_from([1e-150, 1.0, 1e150]))  # fmt: skip
 def test_hostile_curves_give_few_and_true_places(
@@ -347,7 +347,7 @@ def test_hostile_curves_give_few_and_true_places(
     first, second = curves
     for a, b in ((first, second), (first, first)):
         found = a.intersect(b)
-        size = max(np.abs(a.points).max(), np.abs(b.points).max())
+        size = max(np.abs(a.points).max(), np.abs(b.points).max()) or 1
         assert len(found.t) <= 8 * max(degree, 1) ** 2 * segments**2
         assert len(found.shared) <= 8 * max(degree, 1) * segments**2
         assert (found.distance <= 2e-13 * size).all()
