@@ -12,6 +12,7 @@ from symbolic.dag import substitute
 from symbolic.errors import BadType, BadValue, shown
 from symbolic.exact import whole_number
 
+from .questions import exact_tape
 from .reading import colours, output_size, span, text
 from .reading import labels as read_labels
 
@@ -22,6 +23,7 @@ _LOOKS: dict[str, dict[str, Any]] = {
     "path": {**_STEPS, "width": 2, "dashed": False, "fill": False, "closed": False, "pieces": None},
     "dots": {**_STEPS, "radius": 4},
     "arrows": {**_STEPS, "width": 2},
+    "statement": {"since": 0, "until": None},
 }
 
 
@@ -39,6 +41,7 @@ class Marks:
         self._axis_symbols: list[sp.Symbol] = []
         self._marks: list[dict[str, Any]] = []
         self._outputs: dict[str, Any] = {}
+        self._inputs: list[sp.Symbol] = []
 
     def curve(
         self,
@@ -88,6 +91,14 @@ class Marks:
     def readout(self, label: str, expressions: Any) -> None:
         """Show a number, or the coordinates of a point, below the drawing."""
         self._mark("readout", expressions, {}, label=text(label, "label"))
+
+    def statement(self, label: str, residuals: Any, **look: Any) -> None:
+        """Say whether residuals are exactly zero as the figure stands, or by how much they fail.
+
+        They are quotients of polynomials in the figure's inputs; `since` and `until` are steps.
+        """
+        self._mark("statement", residuals, look, label=text(label, "label"),
+                   tape=exact_tape({"residuals": residuals}, self._inputs))  # fmt: skip
 
     def weights(self, expressions: Any, labels: Sequence[str], title: str = "") -> None:
         """Show a row of shares in the colours of the control points."""

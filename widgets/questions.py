@@ -50,12 +50,25 @@ def question_data(
     own = [symbol for symbol in inputs if symbol in used]
     return {
         "prompt": text(prompt, "prompt"),
-        "tape": compile_tape(outputs, [*own, *variables]).to_json(),
+        "tape": exact_tape(outputs, [*own, *variables]),
         "variables": [variable.name for variable in variables],
         "mistakes": [{"output": name, "message": message} for name, message in texts.items()],
         "hint": text(hint, "hint"),
         "live": bool(own),
     }
+
+
+def exact_tape(outputs: Mapping[str, Any], inputs: Sequence[sp.Symbol]) -> dict[str, Any]:
+    """Return the tape, as JSON, of what the browser computes exactly.
+
+    Raises
+    ------
+    BadValue
+        For expressions that are no quotients of polynomials with exact coefficients.
+    """
+    entries = {name: _entries(output) for name, output in outputs.items()}
+    used = set().union(*(e.free_symbols for listed in entries.values() for e in listed))
+    return compile_tape(entries, [symbol for symbol in inputs if symbol in used]).to_json()
 
 
 def _entries(answer: Any) -> list[sp.Expr]:

@@ -59,7 +59,6 @@ class Scene(Marks):
             {"name": "plane", "title": "", "x": None, "y": None, "equal": True, "axes": True}
         ]
         self._points: list[dict[str, Any]] = []
-        self._inputs: list[sp.Symbol] = []
         self._questions: list[dict[str, Any]] = []
 
     def points(

@@ -1,6 +1,7 @@
 """Explorers: functions that build a scene and return it as a live figure, one per topic."""
 
+from .continuity import continuity
 from .de_casteljau import de_casteljau
 from .subdivision import subdivision
 
-__all__ = ["de_casteljau", "subdivision"]
+__all__ = ["continuity", "de_casteljau", "subdivision"]

@@ -1,7 +1,9 @@
 /** The marks beside a drawing: a table from the kind of a mark to the function that makes it. */
 
 import { attributeWriter, html, htmlLabel, textWriter } from "./dom.js";
+import { loadExact } from "./exact.js";
 import { presence } from "./marks.js";
+import { exactly, isZero, Undefined, write } from "./rational.js";
 import { shown } from "./text.js";
 import { cssColour } from "./theme.js";
 
@@ -119,8 +121,37 @@ function readout(/** @type {Figure} */ { output }, /** @type {Mark} */ mark) {
   };
 }
 
+/** Whether residuals are exactly zero, in words: "holds", or by how much it fails. */
+function statement(/** @type {Figure} */ { inputsByName }, /** @type {Mark} */ mark) {
+  const { run } = loadExact(/** @type {import("./scene.js").TapeData} */ (mark.tape));
+  const value = html("span", { class: "value" });
+  const element = html("p", { class: "statement", role: "status" }, htmlLabel(mark.label ?? ""), ": ", value);
+  let last = "";
+  return {
+    element,
+    update() {
+      const inputs = inputsByName();
+      const key = JSON.stringify(inputs);
+      if (key === last) return;
+      last = key;
+      try {
+        const exact = Object.fromEntries(Object.entries(inputs).map(([name, number]) => [name, exactly(number)]));
+        const residuals = run(exact)("residuals");
+        const holds = residuals.every(isZero);
+        element.dataset.holds = String(holds);
+        const list = residuals.map((r) => (String(r.d).length > 6 ? shown(Number(r.n) / Number(r.d)) : write(r)));
+        value.textContent = holds ? "holds, exactly" : `off by ${list.length > 1 ? `(${list.join(", ")})` : list[0]}`;
+      } catch (error) {
+        if (!(error instanceof Undefined)) throw error;
+        delete element.dataset.holds;
+        value.textContent = "has no meaning here";
+      }
+    },
+  };
+}
+
 /** @type {Record<string, (figure: Figure, mark: Mark) => Part>} */
-export const PANEL_MARKS = { scheme, weights, readout };
+export const PANEL_MARKS = { scheme, weights, readout, statement };
 
 /** A panel that comes and goes with the steps like any mark. */
 export function createPanel(/** @type {Figure} */ figure, /** @type {Mark} */ mark) {

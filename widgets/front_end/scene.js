@@ -59,6 +59,7 @@
  * @property {number[]} [sizes]
  * @property {number[]} [froms]
  * @property {string} [weights]
+ * @property {TapeData} [tape]       of a statement: its residuals, computed exactly
  *
  * @typedef {object} Question  asked before the reveal, checked exactly
  * @property {string} prompt
