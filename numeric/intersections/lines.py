@@ -12,6 +12,7 @@ from ..bernstein.evaluation import values_at
 from ..bernstein.form import derivative
 from ..bernstein.roots import EPSILON, roots
 from ..points import real_array
+from .balance import balanced, unbalanced
 from .curves import Intersections
 from .places import Places
 from .segments import points_at
@@ -65,11 +66,12 @@ def intersect_line(curve: Curve, point: Any, direction: Any) -> Intersections:
         raise BadValue("a direction that is not zero", shown(direction), "Such as [1, 0].")
     normal = np.array([-along[1], along[0]]) / largest
     normal /= np.hypot(*normal)
-    rows = curve.rows[..., :2]
-    w = curve.rows[..., 2:] if curve.rational else np.ones((1, 1, 1))
+    (even,), c = balanced(curve.rows[None], 2)
+    rows, w = even[..., :2], even[..., 2:] if curve.rational else np.ones((1, 1, 1))
     heights = (rows - w * start) @ normal
     noise = NOISE * (np.abs(rows).max(axis=(1, 2)) + np.abs(w * start).max(axis=(1, 2)))
-    k, u, error, transversal = _places(heights, noise)
+    found = unbalanced(_places(heights, noise), c)
+    k, (u,), (error,), transversal = found
     track = Track.of(curve)
     k, u = track.once(k, u, error)
     at = track.along(k, u)
@@ -81,23 +83,34 @@ def intersect_line(curve: Curve, point: Any, direction: Any) -> Intersections:
     t, k, u = t[kept], k[kept], u[kept]
     points = points_at(curve.rows[k], u, 2)
 
-    def on_line(points: np.ndarray) -> np.ndarray:
-        return (points - start) @ (along / largest) / ((along / largest) ** 2).sum() / largest
-
     inside = np.flatnonzero((np.abs(heights) <= noise[:, None]).all(axis=1))
-    s = on_line(curve.points[inside][:, [0, -1]])
-    first, last = runs(np.stack([track.first[inside, None] + [0, 1], s], axis=2), JOINED)
-    ends = [track.parameters(inside[first], np.zeros(len(first))),
-            track.parameters(inside[last], np.ones(len(last)))]  # fmt: skip
-    shared = np.stack([np.stack(ends, axis=1), np.stack([s[first, 0], s[last, 1]], axis=1)], axis=2)
+    s_of_ends = _along(curve.points[inside][:, [0, -1]] - start, along)
     return Intersections(
-        t, on_line(points), points, np.abs((points - start) @ normal),
-        transversal[kept], shared,
+        t, _along(points - start, along), points, np.abs((points - start) @ normal),
+        transversal[kept], _shared(track, inside, s_of_ends),
     )  # fmt: skip
 
 
-def _places(heights: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, ...]:
-    """Return (segment, u, error of u, transversal) where heights (m, n + 1) above the line vanish.
+def _along(vectors: np.ndarray, direction: np.ndarray) -> np.ndarray:
+    """Return how many times `direction` fits into vectors along it."""
+    largest = np.abs(direction).max()
+    unit = direction / largest
+    along: np.ndarray = vectors @ unit / (unit @ unit) / largest
+    return along
+
+
+def _shared(track: Track, segment: np.ndarray, s: np.ndarray) -> np.ndarray:
+    """Return (t, s) at both ends of segments in the line, those that continue each other as one."""
+    first, last = runs(np.stack([track.first[segment, None] + [0, 1], s], axis=2), JOINED)
+    starts = track.parameters(segment[first], np.zeros(len(first)))
+    ends = track.parameters(segment[last], np.ones(len(last)))
+    return np.stack(
+        [np.stack([starts, s[first, 0]], axis=1), np.stack([ends, s[last, 1]], axis=1)], axis=1
+    )
+
+
+def _places(heights: np.ndarray, noise: np.ndarray) -> Places:
+    """Return the places where heights (m, n + 1) above the line vanish, `pair` is the segment.
 
     Ends that are on the line within rounding count. Segments that lie in the line have none.
     """
@@ -111,7 +124,8 @@ def _places(heights: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, ...]:
         error = noise[row] / np.maximum(slope, noise[row] / LONGEST)
         u = np.full(len(row), float(end > 0))
         parts.append((row, u, error, slope > TANGENT * size[row]))
-    return tuple(np.concatenate(column) for column in zip(*parts, strict=True))
+    row, u, error, crossing = (np.concatenate(column) for column in zip(*parts, strict=True))
+    return Places(row, u[None], error[None], crossing)
 
 
 def _touching(heights: np.ndarray, noise: np.ndarray) -> tuple[np.ndarray, ...]:

@@ -11,6 +11,7 @@ from symbolic.errors import BadValue
 from ..bernstein.evaluation import values_at
 from ..bernstein.form import elevate
 from ..curves.making import read_segments
+from .balance import balanced, unbalanced, unbalanced_arcs
 from .places import Places
 from .shared import Shared
 from .subdivision import subdivided
@@ -112,13 +113,16 @@ def places_and_arcs(
     places, arcs = [Places.none()], [Shared.none()]
     for start in range(0, len(pairs[0]), BATCH):
         chosen = zip(sides, pairs, strict=True)
-        batch = moderate(np.stack([rows[k[start : start + BATCH]] for rows, k in chosen]), dim)
+        batch = np.stack([rows[k[start : start + BATCH]] for rows, k in chosen])
+        batch, c = balanced(batch, dim)
+        batch = moderate(batch, dim)
         point = are_points(batch, dim)
         moving = np.flatnonzero(~point.any(axis=0))
         if len(moving) < len(point[0]):
             found = places_of_points(batch, point, dim)
             places.append(found._replace(pair=start + found.pair))
         found, more = subdivided(batch[:, moving], dim)
+        found, more = unbalanced(found, c[:, moving]), unbalanced_arcs(more, c[:, moving])
         places.append(found._replace(pair=start + moving[found.pair]))
         arcs.append(more._replace(pair=start + moving[more.pair]))
     return Places.all_of(places), Shared.all_of(arcs)

@@ -67,7 +67,7 @@ class Shared(NamedTuple):
         held = np.zeros(len(pairs.origin), bool)
         middle, width = pairs.start + pairs.width / 2, pairs.width
         for which, arc in self._arcs_of(pairs.origin):
-            expected, slope, bend = self._on_arc(arc, middle[0, which])
+            expected, slope, bend = self.on_arc(arc, middle[0, which])
             near = np.abs(middle[1, which] - expected) <= width * (1 + slope) / 2 + bend
             start, end = self.samples[arc, 0, 0], self.samples[arc, 0, -1]
             near &= (middle[0, which] >= start - width) & (middle[0, which] <= end + width)
@@ -80,7 +80,7 @@ class Shared(NamedTuple):
         on = np.zeros(len(places.pair), bool)
         for which, arc in self._arcs_of(places.pair):
             u, v = places.at[:, which]
-            expected, _, bend = self._on_arc(arc, u)
+            expected, _, bend = self.on_arc(arc, u)
             start, end = self.samples[arc, 0, 0], self.samples[arc, 0, -1]
             inside = (u >= start - SHORT) & (u <= end + SHORT)
             on[which] |= inside & (np.abs(v - expected) <= bend + SHORT)
@@ -91,7 +91,7 @@ class Shared(NamedTuple):
         inside = np.ones(len(arc), bool)
         for end in (0, -1):
             u, v = self.samples[arc, :, end].T
-            expected, _, bend = self._on_arc(other, u)
+            expected, _, bend = self.on_arc(other, u)
             start, stop = self.samples[other, 0, 0], self.samples[other, 0, -1]
             inside &= (u >= start - SHORT) & (u <= stop + SHORT)
             inside &= np.abs(v - expected) <= bend + SHORT
@@ -105,7 +105,7 @@ class Shared(NamedTuple):
             which = np.flatnonzero(first + k < last)
             yield which, first[which] + k
 
-    def _on_arc(self, arc: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    def on_arc(self, arc: np.ndarray, u: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """Return the parameter on the second segment, its slope by u, and how wrong it may be."""
         samples = self.samples[arc]
         start, end = samples[:, 0, 0], samples[:, 0, -1]

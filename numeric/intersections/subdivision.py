@@ -17,7 +17,7 @@ from .touching import touching_places
 FIRST, PARTS = 8, 4  # parts of a segment at first, and of a piece from then on
 SMALLEST = 2.0**-27  # pieces of this width: whether they touch or cross is told no more
 CROWDED = 64  # open pairs for every degree: more have an arc in common, or very nearly
-MOST = 1 << 13  # open pairs of one pair of segments
+MOST = 1 << 12  # open pairs of one pair of segments
 TOGETHER = 16  # pairs of segments that may have so many
 
 

@@ -198,6 +198,23 @@ def test_a_contact_of_high_order_is_one_place(order):
     assert len(by_line.t) == 1 and abs(by_line.t[0]) <= 1e-13 ** (1 / order)
 
 
+@pytest.mark.parametrize("ratio", [1.0, 1e3, 1e8, 1e12])
+def test_weights_of_very_different_size(ratio):
+    # The same parabola by another parameter: u / (1 - u) is 1 / ratio times what it was.
+    points = [[0, 0], [1, 2], [2, 0]]
+    plain, uneven = (Curve.from_bezier(points, weights=[1, r, r * r]) for r in (1, ratio))
+    for line in (Curve.from_bezier([[0, 0.5], [2, 0.5]]), Curve.from_bezier([[1, 0], [1, 2]])):
+        expected, found = plain.intersect(line), uneven.intersect(line)
+        np.testing.assert_allclose(found.s, expected.s, rtol=0, atol=1e-13)
+        u = expected.t / ratio / (1 - expected.t + expected.t / ratio)
+        np.testing.assert_allclose(found.t, u, rtol=1e-12)
+        by_line = uneven.intersect_line([0, 0.5], [1, 0])
+        np.testing.assert_allclose(by_line.points[:, 1], 0.5, rtol=0, atol=1e-6)
+    shared = plain.intersect(uneven)
+    assert len(shared.t) == 0
+    np.testing.assert_allclose(shared.shared, [[[0, 0], [1, 1]]], rtol=0, atol=1e-12)
+
+
 def test_cusps_double_points_and_joints():
     cusp = Curve.from_expressions([t**2, t**3], t, (-1, 1))
     for line in ([[-1, 0.5], [1, -0.5]], [[0, -1], [0, 1]], [[-1, 0], [1, 0]]):
@@ -332,7 +349,7 @@ def hostile(shape, random, degree, segments, dim):
     return rows
 
 
-@settings(max_examples=50, deadline=None)
+@settings(max_examples=35, deadline=None)
 @given(seeds, shapes, shapes, st.integers(0, 8), st.integers(1, 4), st.integers(2, 3),
        st.booleans(), st.sampled_from([1e-150, 1.0, 1e150]))  # fmt: skip
 def test_hostile_curves_give_few_and_true_places(
@@ -356,6 +373,17 @@ def test_hostile_curves_give_few_and_true_places(
             a(found.shared[..., 0]) / size, b(found.shared[..., 1]) / size, rtol=0, atol=1e-11
         )
         assert (np.diff(found.t) >= 0).all()
+    if dim == 2:
+        point, direction = random.integers(-1, 2, (2, 2)) * scale
+        assume(direction.any())
+        found = first.intersect_line(point, direction)
+        assert len(found.t) <= (degree + 1) * segments and (np.diff(found.t) >= 0).all()
+        size = np.abs(first.points).max() + np.abs(point).max()
+        assert (found.distance <= 1e-13 * (size or 1)).all()
+        np.testing.assert_allclose(
+            (point + found.s[:, None] * direction) / (size or 1), found.points / (size or 1),
+            rtol=0, atol=1e-12,
+        )  # fmt: skip
 
 
 def test_points_and_standing_segments():
