@@ -32,22 +32,19 @@ def question_data(
     Raises
     ------
     BadValue
-        If an answer is no rational expression with exact coefficients, a mistake equals the right
-        answer or has another size, or a variable has the name of an input.
+        If an answer is no rational expression with exact coefficients, or a mistake equals the
+        right answer or has another size.
     """
     outputs = {"answer": _entries(answer)}
     texts = {f"mistake{k}": text(message, "mistake") for k, message in enumerate(mistakes)}
     for name, wrong in zip(texts, mistakes.values(), strict=True):
         outputs[name] = _entries(wrong)
         _refuse_alike(outputs["answer"], outputs[name], texts[name])
-    words = all(_is_word(variable) for variable in variables)
-    if not words or {s.name for s in inputs} & {v.name for v in variables}:
-        raise BadValue(
-            "variables that are words and no inputs of the figure", shown(list(variables)),
-            "Choose other letters.",
-        )  # fmt: skip
+    if not all(_is_word(variable) for variable in variables):
+        raise BadValue("variables that are words", shown(list(variables)), "Choose other letters.")
+    typed = {variable.name for variable in variables}  # they hide inputs of the same name
     used = set().union(*(e.free_symbols for entries in outputs.values() for e in entries))
-    own = [symbol for symbol in inputs if symbol in used]
+    own = [symbol for symbol in inputs if symbol in used and symbol.name not in typed]
     return {
         "prompt": text(prompt, "prompt"),
         "tape": exact_tape(outputs, [*own, *variables]),

@@ -165,6 +165,7 @@ class Scene(Marks):
             In the figure's inputs and the variables: quotients of polynomials with exact
             coefficients.
         variables : symbols that a learner may type, such as t; else the answer is numbers
+            One with the name of an input stands for any value, not for the input's.
         mistakes : {what to say: wrong answer}
         hint : str
             What to say about any other wrong answer.

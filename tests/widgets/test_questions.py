@@ -137,11 +137,14 @@ def test_an_author_is_told_what_cannot_be_asked(make):
         make(question)
 
 
-def test_variables_are_no_inputs():
+def test_a_variable_hides_an_input_of_its_name(checker):
     scene = Scene()
-    u = scene.slider("u", 0, 1)
-    with pytest.raises(BadValue, match="no inputs"):
-        scene.question("?", u, [sp.Symbol("u")])
+    u, w = scene.slider("u", 0, 1), scene.slider("w", 0, 4)
+    scene.question("?", w * (1 - u) ** 2, [sp.Symbol("u")])
+    asked = scene.to_json()["questions"][0]
+    assert asked["tape"]["inputs"] == ["w", "u"]
+    assert checker(asked, "3(1 - u)(1 - u)", {"u": 0.5, "w": 3})["right"]
+    assert not checker(asked, "3/4", {"u": 0.5, "w": 3})["right"]
 
 
 def test_fractions_are_answers(checker):
