@@ -2,6 +2,7 @@
 
 from .continuity import continuity
 from .de_casteljau import de_casteljau
+from .rational import rational
 from .subdivision import subdivision
 
-__all__ = ["continuity", "de_casteljau", "subdivision"]
+__all__ = ["continuity", "de_casteljau", "rational", "subdivision"]
