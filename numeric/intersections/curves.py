@@ -11,8 +11,9 @@ from symbolic.errors import BadType, BadValue, shown
 
 from ..measures.boxes import control_boxes
 from .near import meeting
+from .pieces import points_at
 from .places import Places
-from .segments import lengths, places_and_arcs, points_at
+from .segments import lengths, places_and_arcs
 from .shared import SHORT, Shared
 from .track import Track, runs
 
@@ -34,7 +35,8 @@ class Intersections(NamedTuple):
     distance : array, shape (k,)
         From there to the other curve's point: a rounding error at crossings.
     transversal : array of bool, shape (k,)
-        Whether the tangents differ there. Otherwise the curves touch, or one has a cusp.
+        Whether the tangents differ there. Otherwise the curves touch, or one has a cusp; at an
+        angle of less than about 1e-6, rounding may hide which.
     shared : array, shape (l, 2, 2)
         Arcs that both have in common, within rounding: from (t, s) to (t, s).
     """
@@ -51,7 +53,7 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
     """Return all points where the curve meets another one.
 
     Every intersection where the tangents differ is found, unless the curves run alongside each
-    other closer than about 1e-8 of their size there. Where they touch, the place with the least
+    other closer than about 1e-7 of their size there. Where they touch, the place with the least
     distance is told, if that is below 1e-13 of the size: the largest coordinate of both segments.
     Ends count. A closed curve's start and end are one place, and so are the parameters at which a
     curve stands still.

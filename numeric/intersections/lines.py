@@ -14,8 +14,8 @@ from ..bernstein.roots import EPSILON, roots
 from ..points import real_array
 from .balance import balanced, unbalanced
 from .curves import Intersections
+from .pieces import points_at
 from .places import Places
-from .segments import points_at
 from .track import Track, runs
 
 if TYPE_CHECKING:

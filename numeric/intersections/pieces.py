@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..bernstein.evaluation import values_at
 from ..bernstein.form import part
 
 NOISE = 2.0**-48  # of the size of a pair: rounding errors of places, generously
@@ -48,6 +49,12 @@ def plain(rows: np.ndarray, dim: int) -> np.ndarray:
     w = rows[..., dim:]
     positive = (w > 0).all(axis=-2, keepdims=True)
     return np.where(positive, rows[..., :dim] / np.where(w == 0, 1, w), np.nan)
+
+
+def points_at(rows: np.ndarray, u: np.ndarray, dim: int) -> np.ndarray:
+    """Return the point of every row (k, n + 1, columns) at its own u."""
+    values = values_at(rows, u)
+    return values if values.shape[1] == dim else values[:, :dim] / values[:, dim:]
 
 
 def cut(pairs: Pairs, parts: int, dim: int) -> Pairs:

@@ -8,10 +8,10 @@ import numpy as np
 
 from symbolic.errors import BadValue
 
-from ..bernstein.evaluation import values_at
 from ..bernstein.form import elevate
 from ..curves.making import read_segments
 from .balance import balanced, unbalanced, unbalanced_arcs
+from .pieces import points_at
 from .places import Places
 from .shared import Shared
 from .subdivision import subdivided
@@ -34,7 +34,8 @@ class SegmentIntersections(NamedTuple):
     distance : array, shape (k,)
         From there to the point of the second one: a rounding error at crossings.
     transversal : array of bool, shape (k,)
-        Whether the tangents differ there. Otherwise the segments touch, or one has a cusp.
+        Whether the tangents differ there. Otherwise the segments touch, or one has a cusp; at an
+        angle of less than about 1e-6, rounding may hide which.
     shared_pair : array, shape (l,)
     shared : array, shape (l, 2, 2)
         Arcs that both segments of a pair have in common, within rounding: from (u, v) to (u, v).
@@ -70,7 +71,7 @@ def intersect_segments(first: Any, second: Any) -> SegmentIntersections:
     Notes
     -----
     Every intersection where the tangents differ is found, unless the segments run alongside each
-    other closer than about 1e-8 of their size there. Where they touch, the place with the least
+    other closer than about 1e-7 of their size there. Where they touch, the place with the least
     distance is told if that is below 1e-13 of their size.
 
     Examples
@@ -126,12 +127,6 @@ def places_and_arcs(
         places.append(found._replace(pair=start + moving[found.pair]))
         arcs.append(more._replace(pair=start + moving[more.pair]))
     return Places.all_of(places), Shared.all_of(arcs)
-
-
-def points_at(rows: np.ndarray, u: np.ndarray, dim: int) -> np.ndarray:
-    """Return the point of every row (k, n + 1, columns) at its own u."""
-    values = values_at(rows, u)
-    return values if values.shape[1] == dim else values[:, :dim] / values[:, dim:]
 
 
 def moderate(rows: np.ndarray, dim: int) -> np.ndarray:

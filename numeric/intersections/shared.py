@@ -11,16 +11,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..bernstein.evaluation import values_at
 from ..measures.nearest import local_nearest
-from .pieces import Pairs, plain
+from .pieces import Pairs, plain, points_at
 from .places import Places
 
 SAMPLES = 17
 ON = 2.0**-42  # a distance, of size 1, that counts as none
 SHORT = 2.0**-20  # parameters closer than this are no arc
-BESIDE = 1e-10  # a distance of segments that cutting into pieces cannot resolve
-FEW = 1 << 13  # points whose nearest places are looked for at a time
 
 
 class Shared(NamedTuple):
@@ -150,21 +147,6 @@ def same_ends(rows: np.ndarray, dim: int) -> np.ndarray:
     return np.flatnonzero(parallel | opposite)
 
 
-def alongside(rows: np.ndarray, pairs: Pairs, dim: int) -> np.ndarray:
-    """Return which first pieces are so near to the second segment that cutting will not help."""
-    near = np.ones(len(pairs.origin), bool)
-    for place in (0.31, 0.69):  # a crossing may be near to one, but not to both
-        point = _points_at(pairs.rows[0], np.full(len(near), place), dim)
-        least = np.full(len(near), np.inf)
-        for start in range(0, len(near), FEW):
-            part = slice(start, start + FEW)
-            few = np.arange(len(near))[part]
-            which, _, _, distance, _ = local_nearest(rows[1], point, few, pairs.origin[part])
-            np.minimum.at(least, which, distance)
-        near &= least <= BESIDE
-    return near
-
-
 def shared_arcs(rows: np.ndarray, pairs: np.ndarray, dim: int) -> Shared:
     """Return the arcs that pairs of segments, chosen from rows (2, m, n + 1, columns), share."""
     if not len(pairs):
@@ -224,7 +206,7 @@ def _same_points(
     """Fill in the parameters on the second segment, and return which arcs are shared."""
     count = len(pair)
     inner = samples[:, 0].ravel()
-    points = _points_at(np.repeat(rows[0, pair], SAMPLES, axis=0), inner, dim)
+    points = points_at(np.repeat(rows[0, pair], SAMPLES, axis=0), inner, dim)
     which, v = _on(rows[1, pair], points, np.repeat(np.arange(count), SAMPLES))
     low, high = np.minimum(v_start, v_end), np.maximum(v_start, v_end)
     arc = which // SAMPLES
@@ -246,8 +228,3 @@ def _on(rows: np.ndarray, points: np.ndarray, piece: np.ndarray) -> tuple[np.nda
     point, _, u, distance, _ = local_nearest(rows, points, np.arange(len(points)), piece)
     on = distance <= ON
     return point[on], u[on]
-
-
-def _points_at(rows: np.ndarray, u: np.ndarray, dim: int) -> np.ndarray:
-    values = values_at(rows, u)
-    return values[:, :dim] / values[:, dim:] if values.shape[1] > dim else values

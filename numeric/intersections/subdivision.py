@@ -11,8 +11,8 @@ import numpy as np
 from .newton import Solved, crossings
 from .pieces import Pairs, cut, meet_once, plain
 from .places import Places
-from .shared import Shared, alongside, evident_arcs, shared_arcs
-from .touching import touching_places
+from .shared import Shared, evident_arcs, shared_arcs
+from .touching import alongside, touching_places
 
 FIRST, PARTS = 8, 4  # parts of a segment at first, and of a piece from then on
 SMALLEST = 2.0**-27  # pieces of this width: whether they touch or cross is told no more

@@ -6,9 +6,11 @@ import numpy as np
 
 from ..measures.nearest import local_nearest
 from .newton import crossing_from, nearest_places, point_and_slopes
-from .pieces import NOISE, Pairs, plain
+from .pieces import NOISE, Pairs, plain, points_at
 from .places import Places, clusters
 
+BESIDE = 1e-10  # a distance of segments that cutting into pieces cannot resolve
+FEW = 1 << 13  # points whose nearest places are looked for at a time
 TOUCH = 2.0**-43  # a distance, of size 1, that counts as none
 SHORTEST = 2.0**-26  # parameters of touching places that may be one
 TANGENT = 1e-6  # the sine of an angle between tangents that counts as none
@@ -28,6 +30,21 @@ def touching_places(rows: np.ndarray, open_: list[Pairs], dim: int) -> Places:
         cosine = (slopes[:, 0] * slopes[:, 1]).sum(axis=0) / sizes.prod(axis=0)
         transversal = np.sqrt(1 - np.minimum(cosine**2, 1)) > TANGENT
     return places._replace(transversal=transversal)
+
+
+def alongside(rows: np.ndarray, pairs: Pairs, dim: int) -> np.ndarray:
+    """Return which first pieces are so near to the second segment that cutting will not help."""
+    near = np.ones(len(pairs.origin), bool)
+    for place in (0.31, 0.69):  # a crossing may be near to one, but not to both
+        point = points_at(pairs.rows[0], np.full(len(near), place), dim)
+        least = np.full(len(near), np.inf)
+        for start in range(0, len(near), FEW):
+            part = slice(start, start + FEW)
+            few = np.arange(len(near))[part]
+            which, _, _, distance, _ = local_nearest(rows[1], point, few, pairs.origin[part])
+            np.minimum.at(least, which, distance)
+        near &= least <= BESIDE
+    return near
 
 
 def are_points(rows: np.ndarray, dim: int) -> np.ndarray:
