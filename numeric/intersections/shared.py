@@ -96,6 +96,8 @@ class Shared(NamedTuple):
 
     def _arcs_of(self, pair: np.ndarray) -> Iterator[tuple[np.ndarray, np.ndarray]]:
         """Yield (numbers of entries of `pair`, an arc for each) until all arcs have been named."""
+        if not len(self.pair):
+            return
         first = np.searchsorted(self.pair, pair, side="left")
         last = np.searchsorted(self.pair, pair, side="right")
         for k in range(int((last - first).max(initial=0))):
@@ -130,13 +132,16 @@ def evident_arcs(rows: np.ndarray, dim: int) -> Shared:
 
     Segments with the same control points, in either order, need not be compared.
     """
-    equal = (rows[0] == rows[1]).all(axis=(1, 2))
-    turned = (rows[0] == rows[1, :, ::-1]).all(axis=(1, 2)) & ~equal
+    pairs = same_ends(rows, dim)
+    if not len(pairs):
+        return Shared.none()
+    first, second = rows[:, pairs]
+    equal = (first == second).all(axis=(1, 2))
+    turned = (first == second[:, ::-1]).all(axis=(1, 2)) & ~equal
     u = np.linspace(0, 1, SAMPLES)
-    pair = np.concatenate([np.flatnonzero(equal), np.flatnonzero(turned)])
     samples = np.repeat([[u, u], [u, u[::-1]]], [equal.sum(), turned.sum()], axis=0)
-    others = np.setdiff1d(same_ends(rows, dim), pair)
-    return Shared.all_of([Shared(pair, samples), shared_arcs(rows, others, dim)])
+    evident = Shared(np.concatenate([pairs[equal], pairs[turned]]), samples)
+    return Shared.all_of([evident, shared_arcs(rows, pairs[~(equal | turned)], dim)])
 
 
 def same_ends(rows: np.ndarray, dim: int) -> np.ndarray:
