@@ -7,6 +7,7 @@ from .curve import Curve
 from .glyphs import Glyph, glyph
 from .intersections.segments import intersect_segments
 from .points import float_points, real_number
+from .tape.compile import quotient_or_zero
 from .tape.tape import Tape, compile_tape, flattened
 
 __all__ = [
@@ -18,5 +19,6 @@ __all__ = [
     "float_points",
     "glyph",
     "intersect_segments",
+    "quotient_or_zero",
     "real_number",
 ]

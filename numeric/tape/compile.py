@@ -15,8 +15,26 @@ import sympy as sp
 from symbolic.dag import postorder
 from symbolic.errors import BadType, BadValue, shown
 
+
+class quotient_or_zero(sp.Function):
+    """a/b, and 0 where b = 0: so the Cox-de Boor recurrence reads 0/0 at repeated knots.
+
+    >>> x = sp.Symbol("x")
+    >>> quotient_or_zero(1, 0), quotient_or_zero(3, 2), quotient_or_zero(1, x).subs(x, 0)
+    (0, 3/2, 0)
+    """
+
+    @classmethod
+    def eval(cls, a: Any, b: Any) -> Any:
+        """Return the value where b is a number."""
+        if b.is_number:
+            return sp.S.Zero if b.is_zero else a / b
+        return None
+
+
 _FUNCTIONS = {sp.sin: "sin", sp.cos: "cos", sp.tan: "tan", sp.exp: "exp", sp.log: "log",
-              sp.Abs: "abs", sp.atan2: "atan2", sp.Min: "min", sp.Max: "max"}  # fmt: skip
+              sp.Abs: "abs", sp.atan2: "atan2", sp.Min: "min", sp.Max: "max",
+              quotient_or_zero: "ratio"}  # fmt: skip
 _LARGEST_SAFE_INTEGER = 2**53 - 1  # JSON numbers are doubles in the browser
 
 Node = tuple[Any, ...]
@@ -91,12 +109,15 @@ class Program:
             return self._power(expression, expression.exp)
         if expression.func is sp.atan:  # SymPy makes it of atan2 where the second one is positive
             return self._put(("atan2", self._of[id(expression.args[0])], self._constant(sp.S.One)))
+        if expression.func is sp.Heaviside and expression.args[1] == 1:  # 1 from zero on
+            return self._put(("step", self._of[id(expression.args[0])]))
         name = _FUNCTIONS.get(expression.func)
         if name is None and expression.is_number:
             return self._constant(expression)
         if name is None:
             raise BadValue(
-                "an expression in + - * / ** sqrt sin cos tan exp log Abs atan atan2 Min Max",
+                "an expression in + - * / ** sqrt sin cos tan exp log Abs atan atan2 Min Max, "
+                "Heaviside(x, 1)",
                 f"{expression.func.__name__} in {shown(expression)}",
                 "Rewrite it with these, or evaluate it first.",
             )

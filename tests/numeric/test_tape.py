@@ -10,7 +10,7 @@ import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from numeric import Tape, compile_tape
+from numeric import Tape, compile_tape, quotient_or_zero
 from symbolic import BadType, BadValue, de_casteljau
 
 ROOT = Path(__file__).parents[2]
@@ -67,6 +67,8 @@ def _combine(children):
         pair.map(lambda ab: sp.atan2(ab[0], ab[1] ** 2 + 1)),
         pair.map(lambda ab: sp.Min(ab[0], ab[1])),
         pair.map(lambda ab: sp.Max(ab[0], ab[1])),
+        pair.map(lambda ab: quotient_or_zero(ab[0], sp.Max(ab[1], 0) ** 2)),
+        children.map(lambda a: sp.Heaviside(a + sp.Rational(1, 7), 1)),
         children.map(lambda a: a**3 / (a**4 + 1)),
         children.map(lambda a: sp.sqrt(a**2 + 1)),
         children.map(lambda a: (a**2 + 2) ** sp.Rational(-3, 2)),
@@ -86,7 +88,8 @@ def test_numpy_lambdify_and_javascript_agree(javascript, formulas, at):
     tape = compile_tape({"f": formulas}, INPUTS)
     ours = tape.run(at)["f"]
     floats = [sp.N(f, 17) for f in formulas]  # NumPy has no square root of a large integer
-    reference = numbers(sp.lambdify(INPUTS, floats, "numpy", cse=True)(*at))
+    modules = [{"quotient_or_zero": lambda a, b: a / b if b else 0.0}, "numpy"]
+    reference = numbers(sp.lambdify(INPUTS, floats, modules, cse=True)(*at))
     scale = np.maximum(1, np.abs(reference))
     np.testing.assert_allclose(ours / scale, reference / scale, rtol=0, atol=1e-12)
     theirs = numbers(javascript.run(tape, [list(at)])[0]["f"])
@@ -113,6 +116,18 @@ def test_division_by_zero_is_infinite_or_not_a_number_in_both(javascript):
     tape = compile_tape({"f": [1 / x, x / x**2, sp.log(x)]}, [x])
     assert not np.isfinite(tape.run([0.0])["f"]).any()
     assert not np.isfinite(numbers(javascript.run(tape, [[0.0]])[0]["f"])).any()
+
+
+def test_steps_and_quotients_at_the_edge(javascript):
+    tape = compile_tape({"f": [sp.Heaviside(x, 1), quotient_or_zero(y, x)]}, [x, y])
+    at = [[0.0, 0.0], [0.0, 5.0], [-0.0, 1.0], [-0.25, 1.0], [2.0, 3.0], [np.nan, 1.0]]
+    ours = np.array([tape.run(list(row))["f"] for row in at])
+    expected = [[1, 0], [1, 0], [1, 0], [0, -4], [1, 1.5], [np.nan, np.nan]]
+    np.testing.assert_array_equal(ours, expected)
+    together = tape.run([np.array(column) for column in zip(*at, strict=True)])["f"]
+    np.testing.assert_array_equal(together, expected)
+    theirs = javascript.run(tape, at[:-1])
+    np.testing.assert_array_equal([numbers(row["f"]) for row in theirs], expected[:-1])
 
 
 @settings(max_examples=100, deadline=None)

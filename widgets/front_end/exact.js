@@ -13,10 +13,12 @@ const OPERATIONS = {
   abs: (a) => (a.n < 0n ? neg(a) : a),
   min: (a, b) => (less(b, a) ? b : a),
   max: (a, b) => (less(a, b) ? b : a),
+  step: (a) => rational(a.n >= 0n ? 1 : 0),
+  ratio: (a, b) => (b.n === 0n ? b : div(a, b)),
 };
 
 /** The operations of a tape with one operand. */
-const UNARY = new Set(["neg", "sqrt", "sin", "cos", "tan", "exp", "log", "abs"]);
+const UNARY = new Set(["neg", "sqrt", "sin", "cos", "tan", "exp", "log", "abs", "step"]);
 
 /** Where the operands of every instruction stand. */
 function instructions(/** @type {TapeData} */ { operations, code }) {

@@ -57,10 +57,13 @@ const power = (x, y) => (x === 1 || (x === -1 && Math.abs(y) === Infinity) ? 1 :
 const UNARY = {
   neg: (x) => -x, sqrt: Math.sqrt, sin: Math.sin, cos: Math.cos, tan: Math.tan,
   exp: Math.exp, log: Math.log, abs: Math.abs,
+  step: (x) => (x >= 0 ? 1 : x < 0 ? 0 : NaN),
 };
 
 /** @type {Record<string, (x: number, y: number) => number>} */
-const BINARY = { pow: power, atan2: Math.atan2, min: Math.min, max: Math.max };
+const BINARY = {
+  pow: power, atan2: Math.atan2, min: Math.min, max: Math.max, ratio: (x, y) => (y === 0 ? 0 : x / y),
+};
 
 /** @type {(f: (x: number, y: number) => number) => Kernel} */
 const elementwise = (f) => (m, o, a, b, n, da, db) => {
