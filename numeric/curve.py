@@ -245,7 +245,7 @@ class Curve:
 
     @cached_property
     def _table(self) -> Table:
-        return coefficient_table(self.rows, self.breaks)
+        return coefficient_table(self.rows, self.breaks, self.rational)
 
     def __len__(self) -> int:
         """Return the number of segments."""

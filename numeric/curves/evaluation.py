@@ -26,6 +26,10 @@ from .spans import Spans, Workspace
 # The power form loses about half a digit a degree and costs a third of the time.
 HORNER_DEGREE = 7
 
+# Errors of the power form are errors of a segment's largest weight: divided by one that is this
+# many times smaller, a point loses so many times more. From there on the Bernstein form is taken,
+# whose errors shrink with the weight.
+UNEVEN = 8.0
 
 # Powers of these lengths and sizes stay far from the largest and smallest floats.
 SAFE_LENGTHS = (1e-20, 1e20)
@@ -38,26 +42,35 @@ class Table(NamedTuple):
     Attributes
     ----------
     coefficients : array, shape (n + 1, columns, segments)
-        Of powers up to `HORNER_DEGREE`, Bernstein coefficients above it.
+        Of powers or Bernstein polynomials.
+    powers : bool
+        Which of them: powers up to `HORNER_DEGREE`, unless weights are `UNEVEN`.
     lengths : array, shape (segments,), or None
         What t - start is to be divided by; None if the coefficients are those of its powers.
     """
 
     coefficients: np.ndarray
+    powers: bool
     lengths: np.ndarray | None
 
 
-def coefficient_table(rows: np.ndarray, breaks: np.ndarray) -> Table:
+def coefficient_table(rows: np.ndarray, breaks: np.ndarray, rational: bool) -> Table:
     """Return the table of segments with these rows (m, n + 1, columns) over these breaks."""
     lengths, n = np.diff(breaks), rows.shape[1] - 1
+    powers = n <= HORNER_DEGREE and not (rational and _uneven(rows[..., -1]))
     taken_up = False
-    if n <= HORNER_DEGREE:
+    if powers:
         rows = to_powers(rows)
         if _within(lengths, SAFE_LENGTHS) and _within(np.abs(rows).max(), SAFE_SIZES):
             rows = rows / lengths[:, None, None] ** np.arange(n + 1)[:, None]
             taken_up = True
     coefficients = np.ascontiguousarray(np.moveaxis(rows, 0, 2))
-    return Table(coefficients, None if taken_up else lengths)
+    return Table(coefficients, powers, None if taken_up else lengths)
+
+
+def _uneven(weights: np.ndarray) -> bool:
+    weights = weights * np.sign(weights[:, :1])
+    return bool((UNEVEN * weights.min(axis=1) < weights.max(axis=1)).any())
 
 
 def _within(values: Any, bounds: tuple[float, float]) -> bool:
@@ -82,7 +95,7 @@ def evaluate(
     by index, each into the cache where it is needed.
     """
     count, columns, _ = table.coefficients.shape
-    kind = count - 1, columns, rational, count - 1 <= HORNER_DEGREE
+    kind = count - 1, columns, rational, table.powers
     rows = table.coefficients.reshape(count * columns, -1)
     out = np.empty((columns - rational, len(t)))
     work, local = Workspace.of(min(len(t), CHUNK)), np.empty(min(len(t), CHUNK))

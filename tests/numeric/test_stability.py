@@ -1,12 +1,15 @@
 """High degrees: what the Bernstein form keeps and the power form loses, as documented."""
 
+from fractions import Fraction
 from functools import cache
 
 import numpy as np
 import pytest
 
 from benchmarks.stability import worst_errors
+from numeric import Curve
 from numeric.curves.evaluation import HORNER_DEGREE
+from symbolic import RationalBezier
 
 # At `HORNER_DEGREE`: float64 and float32 in Bernstein form, then in power form.
 DOCUMENTED = {3: (3e-16, 2e-7, 6e-16, 6e-7), 7: (5e-16, 3e-7, 4e-14, 2e-5),
@@ -38,3 +41,18 @@ def test_the_power_form_loses_them_with_the_degree():
     }
     assert 10 < lost[7] < 1e3 < lost[15] < lost[25] and lost[25] > 1e8
     assert errors(25)["powers", "float32"] > 1 > errors(HORNER_DEGREE)["powers", "float32"]
+
+
+@pytest.mark.parametrize("spread", [1, 4, 12])
+@pytest.mark.parametrize("degree", [1, 3, HORNER_DEGREE, HORNER_DEGREE + 1])
+def test_weights_of_very_different_sizes_lose_no_digits(degree, spread):
+    """By powers, a point where weights are small would have the error of the largest one."""
+    random = np.random.default_rng(spread)
+    weights = 10 ** random.uniform(-spread, spread, degree + 1)
+    points = random.uniform(-1, 1, (degree + 1, 2))
+    exact = RationalBezier([[Fraction(x) for x in p] for p in points.tolist()],
+                           [Fraction(w) for w in weights.tolist()])  # fmt: skip
+    curve = Curve.from_bezier(points, weights=weights)
+    at = [k / 32 for k in range(33)]
+    expected = [[float(x) for x in exact.de_casteljau(Fraction(u)).points[-1][0]] for u in at]
+    np.testing.assert_allclose(curve(at), expected, rtol=0, atol=4e-15 if spread > 1 else 4e-13)
