@@ -69,6 +69,7 @@ class Scene(Marks):
         colors: Sequence[Colour] | None = None,
         snap: float | None = None,
         view: int = 0,
+        along: str | None = None,
     ) -> Points:
         """Add movable points and return their coordinates as pairs of symbols.
 
@@ -83,6 +84,8 @@ class Scene(Marks):
         snap : float, optional
             Points move on multiples of it, by default a power of two that suits their extent
             (1/8 for a figure about 8 units wide), so that their coordinates are exact.
+        along : "x", optional
+            Points move to the left and right only, as knots on an axis do.
 
         Raises
         ------
@@ -100,6 +103,7 @@ class Scene(Marks):
             "colors": colours(numbers if colors is None else colors, len(rows)),
             "values": rows.tolist(),
             "snap": snap_for(rows) if snap is None else positive(snap, "snap"),
+            "along": _direction(along),
         })  # fmt: skip
         at = len(self._inputs) - len(self._sliders)  # points come before the sliders
         self._inputs[at:at] = [symbol for pair in symbols for symbol in pair]
@@ -218,3 +222,9 @@ class Scene(Marks):
             raise BadValue(
                 "a new name that is a word", shown(name), f"Taken are {', '.join(sorted(taken))}."
             )
+
+
+def _direction(along: Any) -> str | None:
+    if along not in (None, "x"):
+        raise BadValue('along="x" or nothing', shown(along), "Points move everywhere else.")
+    return along

@@ -156,3 +156,10 @@ test("closing tells Python the last value and takes every listener away", () => 
   mock.timers.tick(1000);
   assert.equal(model.told, 1);
 });
+
+test("points on an axis keep their height", () => {
+  const flat = { ...scene, points: [{ ...scene.points[0], along: "x" }] };
+  const store = createStore(createModel(), flat);
+  store.movePoint("P", 1, 3, 9);
+  assert.deepEqual(store.state.points.P, [[0, 0], [3, 2]]);
+});

@@ -1,8 +1,9 @@
 """Explorers: functions that build a scene and return it as a live figure, one per topic."""
 
+from .bspline import bspline
 from .continuity import continuity
 from .de_casteljau import de_casteljau
 from .rational import rational
 from .subdivision import subdivision
 
-__all__ = ["continuity", "de_casteljau", "rational", "subdivision"]
+__all__ = ["bspline", "continuity", "de_casteljau", "rational", "subdivision"]

@@ -26,6 +26,7 @@
  * @property {Colour[]} colors
  * @property {[number, number][]} values
  * @property {number | null} snap
+ * @property {"x" | null} along  the direction they move in; null: everywhere
  *
  * @typedef {object} Slider
  * @property {string} name

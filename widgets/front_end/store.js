@@ -33,6 +33,7 @@ function initial(/** @type {import("./scene.js").Scene} */ scene) {
  */
 export function createStore(model, scene, guarded = (action) => action) {
   const start = initial(scene);
+  const level = new Set(scene.points.filter(({ along }) => along === "x").map(({ name }) => name));
   const traits = ["points", "step", ...scene.sliders.map(({ name }) => name)];
   const state = initial(scene);
   /** @type {State[]} */
@@ -107,6 +108,7 @@ export function createStore(model, scene, guarded = (action) => action) {
     /** @type {(name: string, index: number, x: number, y: number) => void} */
     movePoint(name, index, x, y) {
       const point = state.points[name][index];
+      if (level.has(name)) y = start.points[name][index][1];
       if (point[0] === x && point[1] === y) return;
       [point[0], point[1]] = [x, y];
       touched();
