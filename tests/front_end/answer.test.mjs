@@ -27,6 +27,8 @@ test("what stands side by side is multiplied", () => {
   assert.deepEqual(values("3t(1-t)^2"), ["4/9"]);
   assert.deepEqual(values("(1+t)(1-t)"), ["8/9"]);
   assert.deepEqual(values("2t s"), ["-4/3"]);
+  assert.deepEqual(values("3tts^2"), ["4/3"]); // the power is that of the last letter
+  assert.throws(() => values("tss", ["t"]), Unreadable);
 });
 
 test("lists have commas, with or without brackets", () => {

@@ -1,9 +1,10 @@
 """Explorers: functions that build a scene and return it as a live figure, one per topic."""
 
+from .blossom import blossom
 from .bspline import bspline
 from .continuity import continuity
 from .de_casteljau import de_casteljau
 from .rational import rational
 from .subdivision import subdivision
 
-__all__ = ["bspline", "continuity", "de_casteljau", "rational", "subdivision"]
+__all__ = ["blossom", "bspline", "continuity", "de_casteljau", "rational", "subdivision"]

@@ -10,11 +10,10 @@ from symbolic import JointConditions, a_frame, de_casteljau, hodograph
 from symbolic import geometric_continuity as geometric
 from symbolic import parametric_continuity as parametric
 from symbolic.dag import substitute
-from symbolic.errors import BadValue
 
 from ..figure import Figure
 from ..scene import Scene
-from .control_points import control_points
+from .control_points import cubic_points
 
 LEFT = ((0, 0), (1, 3), (3, 4), (5, 3))
 RIGHT = ((5, 3), (6, 2.5), (8, 3), (9, 5))
@@ -54,8 +53,8 @@ def continuity(left: Any = LEFT, right: Any = RIGHT) -> Figure:
         "Two cubic Bezier segments with control points P and Q, their derivatives, curvature "
         "combs and A-frame at the joint, and which continuity holds.",
     )
-    p = scene.points(_cubic(left), name="P", colors=range(4))
-    q = scene.points(_cubic(right), name="Q", colors=range(4, 8))
+    p = scene.points(cubic_points(left), name="P", colors=range(4))
+    q = scene.points(cubic_points(right), name="Q", colors=range(4, 8))
     r = scene.slider("r", 0.25, 4, value=1, snap=0.125)
     betas = (scene.slider("beta1", 0.25, 4, value=0.5, snap=0.125, label="β_1"),
              scene.slider("beta2", -4, 4, value=0, snap=0.25, label="β_2"))  # fmt: skip
@@ -74,13 +73,6 @@ def continuity(left: Any = LEFT, right: Any = RIGHT) -> Figure:
     _verdicts(scene, p, q, r, betas)
     _ask(scene, p, r)
     return Figure(scene)
-
-
-def _cubic(points: Any) -> Any:
-    rows = control_points(points)
-    if len(rows) != 4:
-        raise BadValue("four control points of a cubic", f"{len(rows)}", "Elevate the degree.")
-    return rows
 
 
 def _comb(scene: Scene, points: list[Point], t: sp.Symbol) -> None:

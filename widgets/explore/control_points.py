@@ -30,6 +30,14 @@ def control_points(points: Any) -> np.ndarray:
     return rows
 
 
+def cubic_points(points: Any) -> np.ndarray:
+    """Return the four control points of a cubic in the plane, shape (4, 2)."""
+    rows = control_points(points)
+    if len(rows) != 4:
+        raise BadValue("four control points of a cubic", f"{len(rows)}", "Elevate the degree.")
+    return rows
+
+
 def unit_parameter(t: Any) -> float:
     """Return a parameter in [0, 1] as a float."""
     number = real_number(t, "t")

@@ -34,6 +34,14 @@ function tokens(/** @type {string} */ text) {
   return found;
 }
 
+/** A product of letters, uvw or tt, where a word of that name is unknown. */
+function letters(/** @type {{kind: string, text: string}} */ token, /** @type {string[]} */ variables) {
+  const parts = [...token.text];
+  const product = token.kind === "name" && !variables.includes(token.text)
+    && parts.every((letter) => variables.includes(letter));
+  return product ? parts.map((text) => ({ ...token, text })) : [token];
+}
+
 /** A decimal as the fraction it is. */
 function decimal(/** @type {string} */ text) {
   const [whole, part = ""] = text.split(".");
@@ -68,7 +76,7 @@ function power(/** @type {Expression} */ base, /** @type {Expression} */ exponen
  * @returns {Expression[]}  one, or those of a list such as (1/2, 3)
  */
 export function readAnswer(text, variables) {
-  const list = tokens(text);
+  const list = tokens(text).flatMap((token) => letters(token, variables));
   let at = 0;
   let depth = 0;
   const next = (/** @type {string} */ sign) => list[at]?.kind === "sign" && list[at].text === sign;
