@@ -4,7 +4,20 @@ from .blossom import blossom
 from .bspline import bspline
 from .continuity import continuity
 from .de_casteljau import de_casteljau
+from .hodograph import hodograph
+from .interpolation import interpolation
+from .kochanek_bartels import kochanek_bartels
 from .rational import rational
 from .subdivision import subdivision
 
-__all__ = ["blossom", "bspline", "continuity", "de_casteljau", "rational", "subdivision"]
+__all__ = [
+    "blossom",
+    "bspline",
+    "continuity",
+    "de_casteljau",
+    "hodograph",
+    "interpolation",
+    "kochanek_bartels",
+    "rational",
+    "subdivision",
+]
