@@ -15,7 +15,7 @@ from .pieces import points_at
 from .places import Places
 from .segments import lengths, places_and_arcs
 from .shared import SHORT, Shared
-from .track import Track, runs
+from .track import Track, runs, without_joints
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -146,29 +146,11 @@ def _shared(
 def _near(curve: Curve, other: Curve) -> tuple[np.ndarray, np.ndarray]:
     """Return the pairs of segments whose boxes meet; segments that are joints are left out."""
     slack = SLACK * max(np.abs(c.points).max() for c in (curve, other))
-    first, second = _without_joints(curve), _without_joints(other)
+    first, second = without_joints(curve), without_joints(other)
     low, high = control_boxes(curve.rows[first], curve.dim)
     there = control_boxes(other.rows[second], other.dim)
     i, j = meeting((low - slack, high + slack), there)
     return first[i], second[j]
-
-
-def _without_joints(curve: Curve) -> np.ndarray:
-    """Return the numbers of segments, without those that are the end of the one before.
-
-    Nor those that are the start of the one after: all their points are found on others.
-    """
-    points = curve.points
-    point = (points == points[:, :1]).all(axis=(1, 2))
-    if not point.any():
-        return np.arange(len(points))
-    joined = (points[1:, 0] == points[:-1, -1]).all(axis=1)
-    moving = np.flatnonzero(~point)
-    number = np.arange(len(points))
-    after = np.append(moving, len(points))[np.searchsorted(moving, number)]
-    gaps = np.append(0, np.cumsum(~joined))  # two segments hang together if they have as many
-    leads = (after < len(points)) & (gaps[np.minimum(after, len(points) - 1)] == gaps)
-    return number[~point | ~(np.append(False, joined) | leads)]
 
 
 def _on_arcs(

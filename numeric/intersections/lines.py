@@ -16,7 +16,8 @@ from .balance import balanced, unbalanced
 from .curves import Intersections
 from .pieces import points_at
 from .places import Places
-from .track import Track, runs
+from .shared import SHORT
+from .track import Track, runs, without_joints
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -40,7 +41,8 @@ def intersect_line(curve: Curve, point: Any, direction: Any) -> Intersections:
     Returns
     -------
     Intersections
-        With s, the parameters on the line. A segment that lies in the line is told in `shared`.
+        With s, the parameters on the line. Arcs that lie in the line are told in `shared`, and not
+        among the points.
 
     Raises
     ------
@@ -70,24 +72,17 @@ def intersect_line(curve: Curve, point: Any, direction: Any) -> Intersections:
     rows, w = even[..., :2], even[..., 2:] if curve.rational else np.ones((1, 1, 1))
     heights = (rows - w * start) @ normal
     noise = NOISE * (np.abs(rows).max(axis=(1, 2)) + np.abs(w * start).max(axis=(1, 2)))
-    found = unbalanced(_places(heights, noise), c)
-    k, (u,), (error,), transversal = found
     track = Track.of(curve)
-    k, u = track.once(k, u, error)
-    at = track.along(k, u)
-    error = error + np.spacing(at)
-    places = Places(np.zeros_like(k), np.stack([at, 0 * at]), np.stack([error, error]), transversal)
-    kept = places.kept()
-    t = track.parameters(k, u)
-    kept = kept[np.argsort(t[kept])]
-    t, k, u = t[kept], k[kept], u[kept]
+    flat = (np.abs(heights) <= noise[:, None]).all(axis=1)
+    inside = np.flatnonzero(flat & (track.lengths > 0))
+    standing = np.intersect1d(np.flatnonzero(flat & (track.lengths == 0)), without_joints(curve))
+    found = Places.all_of([_places(heights, noise), _at_starts(standing)])
+    k, u, t, transversal = _once(track, unbalanced(found, c), inside)
     points = points_at(curve.rows[k], u, 2)
-
-    inside = np.flatnonzero((np.abs(heights) <= noise[:, None]).all(axis=1))
     s_of_ends = _along(curve.points[inside][:, [0, -1]] - start, along)
     return Intersections(
         t, _along(points - start, along), points, np.abs((points - start) @ normal),
-        transversal[kept], _shared(track, inside, s_of_ends),
+        transversal, _shared(track, inside, s_of_ends),
     )  # fmt: skip
 
 
@@ -101,12 +96,36 @@ def _along(vectors: np.ndarray, direction: np.ndarray) -> np.ndarray:
 
 def _shared(track: Track, segment: np.ndarray, s: np.ndarray) -> np.ndarray:
     """Return (t, s) at both ends of segments in the line, those that continue each other as one."""
-    first, last = runs(np.stack([track.first[segment, None] + [0, 1], s], axis=2), JOINED)
+    along = s / (np.abs(s).max(initial=0) or 1)
+    first, last = runs(np.stack([track.first[segment, None] + [0, 1], along], axis=2), JOINED)
     starts = track.parameters(segment[first], np.zeros(len(first)))
     ends = track.parameters(segment[last], np.ones(len(last)))
     return np.stack(
         [np.stack([starts, s[first, 0]], axis=1), np.stack([ends, s[last, 1]], axis=1)], axis=1
     )
+
+
+def _once(track: Track, found: Places, inside: np.ndarray) -> tuple[np.ndarray, ...]:
+    """Return (segment, u, t, transversal) of every place once, in order.
+
+    Places at the ends of segments inside the line are left out.
+    """
+    k, u = track.once(found.pair, found.at[0], found.error[0])
+    at = track.along(k, u)
+    error = np.stack([found.error[0] + np.spacing(at)] * 2)
+    kept = Places(np.zeros_like(k), np.stack([at, 0 * at]), error, found.transversal).kept()
+    at = at[kept]
+    before = np.where((at < SHORT) & track.closed, track.length, at) - SHORT
+    kept = kept[~np.isin(np.floor([before, at + SHORT]), track.first[inside]).any(axis=0)]
+    t = track.parameters(k, u)
+    kept = kept[np.argsort(t[kept])]
+    return k[kept], u[kept], t[kept], found.transversal[kept]
+
+
+def _at_starts(segment: np.ndarray) -> Places:
+    """Return places at the starts of segments that are points on the line."""
+    zero = np.zeros((1, len(segment)))
+    return Places(segment, zero, zero, np.zeros(len(segment), bool))
 
 
 def _places(heights: np.ndarray, noise: np.ndarray) -> Places:
