@@ -170,7 +170,11 @@ def test_a_front_end_of_another_version_is_refused(monkeypatch, tmp_path):
 
 
 EXPLORERS = [getattr(explore, name) for name in explore.__all__]
-OF_ONE_CURVE = [e for e in EXPLORERS if {"points", "t"} <= set(inspect.signature(e).parameters)]
+
+
+def taking(argument):
+    """Return the explorers that have an argument of this name."""
+    return [e for e in EXPLORERS if argument in inspect.signature(e).parameters]
 
 
 @pytest.mark.parametrize("explorer", EXPLORERS)
@@ -183,7 +187,7 @@ def test_every_explorer_is_worth_looking_at(explorer, artefacts):
     assert fig.scene["questions"] or explorer is explore.subdivision
 
 
-OF_ANY_DEGREE = [e for e in OF_ONE_CURVE if e is not explore.rational]
+OF_ANY_DEGREE = [explore.de_casteljau, explore.subdivision]
 
 
 @pytest.mark.parametrize("explorer", OF_ANY_DEGREE)
@@ -195,21 +199,22 @@ def test_every_degree_up_to_eight(explorer, degree):
     assert fig.picture().axes
 
 
-@pytest.mark.parametrize("explorer", OF_ONE_CURVE)
-class TestExplorersOfOneCurve:
-    @pytest.mark.parametrize(("points", "error"), [
-        ([], BadValue), ([[0, 0]], BadValue), ([[0, 0], [1]], BadValue), ([0, 1], BadValue),
-        ([[0, 0, 0], [1, 1, 1]], BadValue), ([[0, float("nan")], [1, 1]], BadValue),
-        ([["0", "0"], ["1", "1"]], BadType), ([[i, i] for i in range(10)], BadValue),
-    ])  # fmt: skip
-    def test_bad_points(self, explorer, points, error):
-        with pytest.raises(error, match="Expected"):
-            explorer(points)
+@pytest.mark.parametrize("explorer", taking("points"))
+@pytest.mark.parametrize(("points", "error"), [
+    ([], BadValue), ([[0, 0]], BadValue), ([[0, 0], [1]], BadValue), ([0, 1], BadValue),
+    ([[0, 0, 0], [1, 1, 1]], BadValue), ([[0, float("nan")], [1, 1]], BadValue),
+    ([["0", "0"], ["1", "1"]], BadType), ([[i, i] for i in range(10)], BadValue),
+])  # fmt: skip
+def test_bad_points(explorer, points, error):
+    with pytest.raises(error, match="Expected"):
+        explorer(points)
 
-    @pytest.mark.parametrize("t", [-0.5, 2, float("nan")])
-    def test_bad_parameters(self, explorer, t):
-        with pytest.raises(BadValue):
-            explorer(t=t)
+
+@pytest.mark.parametrize("explorer", taking("t"))
+@pytest.mark.parametrize("t", [-0.5, 99, float("nan"), "1/2"])
+def test_bad_parameters(explorer, t):
+    with pytest.raises((BadValue, BadType), match="Expected"):
+        explorer(t=t)
 
 
 def test_the_scheme_shows_exact_shares_of_every_control_point(fig):
