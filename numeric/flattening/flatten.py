@@ -12,7 +12,7 @@ from ..bernstein.form import split
 from ..curves.pieces import MEETING
 from ..points import real_number
 from ..tape.runner import CHUNK
-from .chords import ROUNDING, chords
+from .chords import QUARTERS, ROUNDING, chords
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -56,6 +56,11 @@ def flatten(curve: Curve, tolerance: Any) -> np.ndarray:
     BadValue
         For a tolerance that is not positive, or takes more than 10^8 points.
 
+    Notes
+    -----
+    Parameters are no closer than 1e-15 of the largest break. A curve that bends between two of
+    them, by weights as 1 and 1e-16 or a short segment far from 0, is not resolved there.
+
     Examples
     --------
     >>> from numeric import Curve
@@ -89,35 +94,35 @@ def _vertices(curve: Curve, tolerance: Any) -> tuple[np.ndarray, np.ndarray, np.
     points = curve.points
     size = np.abs(points).max()
     gaps = np.abs(points[1:, 0] - points[:-1, -1]).max(axis=1, initial=0) > MEETING * size
-    ends_after = np.append(gaps, True)
-    last = np.append(np.diff(pieces.segment) > 0, True) & ends_after[pieces.segment]
-    counts = pieces.chords.astype(np.int64) + last
-    total = int(counts.sum())
-    if total > MOST_POINTS:
+    last = np.append(pieces.segment[1:] > pieces.segment[:-1], True)
+    last[last] = np.append(gaps, True)
+    counts = pieces.chords.astype(np.int64)
+    counts[last] += 1
+    stops = np.append(0, np.cumsum(counts))
+    if stops[-1] > MOST_POINTS:
         raise BadValue(
             f"a tolerance that takes at most {MOST_POINTS:g} points",
-            f"{number:g}, which takes {total:g}",
+            f"{number:g}, which takes {stops[-1]:g}",
             "Flatten with a larger tolerance, or the curve in parts.",
         )
-    t = _spaced(pieces.start, pieces.width / pieces.chords, counts)
-    ends = np.cumsum(counts)[last] - 1
-    t[ends] = curve.breaks[pieces.segment[last] + 1]
-    return t, ends, pieces.segment[last]
+    t = _spaced(pieces.start, pieces.width / pieces.chords, stops)
+    ends, segments = stops[1:][last] - 1, pieces.segment[last]
+    t[ends] = curve.breaks[segments + 1]
+    return t, ends, segments
 
 
-def _spaced(start: np.ndarray, step: np.ndarray, counts: np.ndarray) -> np.ndarray:
-    """Return start, start + step, ... of every piece, `counts` numbers each."""
-    stops = np.append(0, np.cumsum(counts))
-    before = stops.astype(float)
-    out = np.arange(stops[-1], dtype=float)
+def _spaced(start: np.ndarray, step: np.ndarray, stops: np.ndarray) -> np.ndarray:
+    """Return start, start + step, ... of every piece i, from place stops[i] to stops[i + 1]."""
+    out = np.empty(stops[-1])
+    before, counts = stops[:-1].astype(float), np.diff(stops)
     first = 0
     while first < len(counts):  # as many pieces at once as fit in the cache
         last = max(first + 1, int(np.searchsorted(stops, stops[first] + CHUNK, side="right")) - 1)
         held = slice(first, last)
-        part, own = out[stops[first] : stops[last]], counts[held]
+        own, part = counts[held], np.arange(stops[first], stops[last], dtype=float)
         part -= np.repeat(before[held], own)
         part *= np.repeat(step[held], own)
-        part += np.repeat(start[held], own)
+        np.add(part, np.repeat(start[held], own), out=out[stops[first] : stops[last]])
         first = last
     return out
 
@@ -134,7 +139,9 @@ def _pieces(curve: Curve, tolerance: float) -> Pieces:
     lengths, breaks = np.diff(curve.breaks)[segment], curve.breaks[segment]
     start, width = breaks + start * lengths, width * lengths
     finest = width / (4 * EPSILON * np.abs(curve.breaks).max())
-    return Pieces(segment, start, width, np.clip(np.floor(finest), 1, count))
+    pieces = Pieces(segment, start, width, np.clip(np.floor(finest), 1, count))
+    apart = start < np.append(start[1:], curve.breaks[-1])
+    return pieces if apart.all() else Pieces(*(column[apart] for column in pieces))
 
 
 def _halved(rows: np.ndarray, rational: bool, tolerance: float, first: int) -> Pieces:
@@ -144,8 +151,10 @@ def _halved(rows: np.ndarray, rational: bool, tolerance: float, first: int) -> P
     done = []
     for depth in range(DEEPEST + 1):
         count, saved = _chords(rows, rational, tolerance)
-        enough = (saved <= WORTH) | (depth == DEEPEST) | (len(segment) > MOST_PIECES)
-        done.append((segment[enough], start[enough], np.full(enough.sum(), width), count[enough]))
+        enough = (saved <= WORTH) | (depth == DEEPEST)
+        if len(segment) > MOST_PIECES:
+            enough |= saved < np.inf
+        done.append(_in_quarters(segment[enough], start[enough], width, count[:, enough]))
         going_on = np.flatnonzero(~enough)
         if not len(going_on):
             break
@@ -154,18 +163,28 @@ def _halved(rows: np.ndarray, rational: bool, tolerance: float, first: int) -> P
         start[len(going_on) :] += width
         halves = split(np.moveaxis(rows.take(going_on, axis=-1), -1, 0))
         rows = np.concatenate([np.moveaxis(half, 0, -1) for half in halves], axis=-1)
+    if len(done) == 1:
+        return done[0]
     pieces = Pieces(*(np.concatenate(column) for column in zip(*done, strict=True)))
     order = np.lexsort((pieces.start, pieces.segment))
     return Pieces(*(column[order] for column in pieces))
+
+
+def _in_quarters(segment: np.ndarray, start: np.ndarray, width: float, count: np.ndarray) -> Pieces:
+    """Return the quarters of pieces of one width, or a whole piece where it stands for all."""
+    own, quarter = np.nonzero(count.T)
+    widths = np.where(count[1] == 0, width, width / QUARTERS)[own]
+    return Pieces(segment[own], start[own] + quarter * widths, widths, count.T[own, quarter])
 
 
 def _chords(rows: np.ndarray, rational: bool, tolerance: float) -> tuple[np.ndarray, np.ndarray]:
     """Return `chords`; a piece whose weights are not all positive is to be halved."""
     if not rational or (rows[:, -1] > 0).all():
         return chords(rows, rational, tolerance)
-    count, saved = np.ones(rows.shape[2]), np.full(rows.shape[2], np.inf)
+    count, saved = np.ones((QUARTERS, rows.shape[2])), np.full(rows.shape[2], np.inf)
     positive = np.flatnonzero((rows[:, -1] > 0).all(axis=0))
-    count[positive], saved[positive] = chords(rows[..., positive], rational, tolerance)
+    if len(positive):
+        count[:, positive], saved[positive] = chords(rows[..., positive], rational, tolerance)
     return count, saved
 
 
