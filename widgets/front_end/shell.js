@@ -3,7 +3,6 @@
  * or out; keys that stay inside; a voice for screen readers; and a place for bad news.
  */
 
-import css from "./figure.css";
 import { html } from "./dom.js";
 import { createLife } from "./life.js";
 
@@ -14,7 +13,7 @@ export function createShell(parent) {
   const host = html("div", { class: "casteljau-host" });
   const shadow = host.attachShadow({ mode: "open" });
   const style = html("style");
-  style.textContent = css;
+  style.textContent = CASTELJAU_STYLE; // figure.css, minified, put in by build.py
   const alert = html("p", { class: "alert", role: "alert", hidden: true });
   const voice = html("p", { class: "unseen", "aria-live": "polite" });
   const root = html("div", { class: "casteljau" }, alert);
