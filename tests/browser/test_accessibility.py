@@ -23,7 +23,9 @@ def press(figure: Locator, key: str) -> str:
     return figure.page.evaluate(FOCUSED)
 
 
-@pytest.mark.parametrize("name", ["blossom", "de_casteljau", "subdivision"])
+@pytest.mark.parametrize(
+    "name", ["blossom", "de_casteljau", "hodograph", "kochanek_bartels", "subdivision"]
+)
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_axe_finds_nothing_serious(show: Show, name: str, theme: str) -> None:
     figure = show(html(name))

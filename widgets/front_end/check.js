@@ -80,9 +80,9 @@ export function loadCheck({ tape, variables, mistakes, hint }) {
 }
 
 function proof(/** @type {string[]} */ variables, /** @type {number[]} */ counts) {
-  if (variables.length === 0) return "Right: exactly equal.";
-  const where = variables.map((name, i) => `${counts[i]} values of ${name}`).join(" times ");
-  return `Right: equal at ${where}, which proves it, by the degrees of both sides.`;
+  const where = variables.flatMap((name, i) => (counts[i] > 1 ? [`${counts[i]} values of ${name}`] : []));
+  if (where.length === 0) return "Right: exactly equal.";
+  return `Right: equal at ${where.join(" times ")}, which proves it, by the degrees of both sides.`;
 }
 
 /** The exact right answer as a learner would type it, for questions without variables. */
