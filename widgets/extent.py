@@ -44,18 +44,25 @@ def fit_views(scene: dict[str, Any], tape: Tape) -> None:
     outputs = evaluate(scene, initial_state(scene), tape)
     for number, view in enumerate(scene["views"]):
         if view["x"] is None:
-            drawn = [
+            held = [
                 np.reshape(g["values"], (-1, 2)) for g in scene["points"] if g["view"] == number
             ]
-            drawn += [
+            drawn = [
                 outputs[m["output"]].reshape(-1, 2)
                 for m in scene["marks"]
                 if m.get("view") == number
             ]
-            view["x"], view["y"] = _ranges(np.concatenate([*drawn, np.empty((0, 2))]))
+            view["x"], view["y"] = _ranges(
+                *(np.concatenate([*p, np.empty((0, 2))]) for p in (held, drawn))
+            )
 
 
-def _ranges(points: np.ndarray) -> tuple[list[float], list[float]]:
+def _ranges(held: np.ndarray, drawn: np.ndarray) -> tuple[list[float], list[float]]:
+    """Return ranges for movable points and what is drawn, as far as that is near to them."""
+    if len(held):
+        near = float(np.ptp(held, axis=0).max() / 4) or np.inf
+        drawn = np.clip(drawn, held.min(axis=0) - near, held.max(axis=0) + near)
+    points = np.concatenate([held, drawn])
     points = points[np.isfinite(points).all(axis=1)]
     if not len(points):
         return [0.0, 1.0], [0.0, 1.0]

@@ -90,7 +90,8 @@ def _dots(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order
     axis.scatter(*output.T, s=(mark["radius"] * 1.5) ** 2, c=colors, zorder=4 + order / 1000)
     labels = (mark["labels"] or ()) if len(output) <= _MOST_LABELS else ()
     for label, point, text in zip(labels, output, colors, strict=False):
-        _label(axis, label, point, text)
+        if np.isfinite(point).all():
+            _label(axis, label, point, text)
 
 
 def _arrows(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order: int) -> None:

@@ -34,7 +34,9 @@ test("what stands side by side is multiplied", () => {
 test("lists have commas, with or without brackets", () => {
   assert.deepEqual(values("(1/2, 3)"), ["1/2", "3"]);
   assert.deepEqual(values("1,2 , t"), ["1", "2", "1/3"]);
-  assert.deepEqual(values("((1,2))".slice(1, -1)), ["1", "2"]);
+  assert.deepEqual(values("((1,2), (3,4))"), ["1", "2", "3", "4"]);
+  assert.deepEqual(values("(1, 2), (3, 2t(1+2)), 5"), ["1", "2", "3", "2", "5"]);
+  assert.throws(() => values("(1,2)3"), Unreadable);
   assert.deepEqual(values("(1+t),(1-t)"), ["4/3", "2/3"]);
 });
 

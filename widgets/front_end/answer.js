@@ -2,7 +2,7 @@
  * What a learner types: numbers, variables, + - * / ^ and brackets. A tiny grammar of our own,
  * read by recursive descent into a tree; nothing is ever evaluated as code.
  *
- *   list   = "(" sum ("," sum)* ")" | sum ("," sum)*       sum    = product (("+" | "-") product)*
+ *   list   = entry ("," entry)*     entry  = "(" list ")" | sum     sum = product (("+" | "-") product)*
  *   product = power (("*" | "/" | nothing) power)*          power  = ("+" | "-")* base ("^" power)?
  *   base   = number | variable | "(" sum ")"
  */
@@ -73,7 +73,7 @@ function power(/** @type {Expression} */ base, /** @type {Expression} */ exponen
  * Read an answer.
  * @param {string} text
  * @param {string[]} variables  the names that may occur
- * @returns {Expression[]}  one, or those of a list such as (1/2, 3)
+ * @returns {Expression[]}  one, or those of a list such as (1/2, 3), or of lists of these
  */
 export function readAnswer(text, variables) {
   const list = tokens(text).flatMap((token) => letters(token, variables));
@@ -136,30 +136,35 @@ export function readAnswer(text, variables) {
     }
     throw new Unreadable(`Expected a number${variables.length ? " or variable" : ""} but found ${found()}.`);
   }
+  /** @returns {Expression[]} */
   function readList() {
-    const entries = [readSum()];
-    while (take(",")) entries.push(readSum());
+    const entries = [];
+    do {
+      if (isList(list, at)) {
+        at += 1;
+        entries.push(...readList());
+        if (!take(")")) throw new Unreadable(`Expected ) but found ${found()}.`);
+      } else entries.push(readSum());
+    } while (take(","));
     return entries;
   }
 
   if (list.length === 0) throw new Unreadable("Type an answer first.");
-  const bracketed = isList(list);
-  if (bracketed) at = 1;
   const entries = readList();
-  if (bracketed && !take(")")) throw new Unreadable(`Expected ) but found ${found()}.`);
   if (at < list.length) throw new Unreadable(`Expected the end but found ${found()}.`);
   return entries;
 }
 
-/** Whether the first bracket closes at the end and holds a comma of its own: (1/2, 3), not (1+t)(1-t). */
-function isList(/** @type {{kind: string, text: string}[]} */ list) {
+/** Whether a bracket opens here that holds a comma of its own and closes before the next or the end: (1/2, 3). */
+function isList(/** @type {{kind: string, text: string}[]} */ list, /** @type {number} */ start) {
   let depth = 0;
   let comma = false;
-  for (const [i, { text }] of list.entries()) {
+  for (let i = start; i < list.length; i++) {
+    const { text } = list[i];
     if (text === "(") depth += 1;
     if (text === ")") depth -= 1;
     if (text === "," && depth === 1) comma = true;
-    if (depth === 0) return comma && i === list.length - 1;
+    if (depth === 0) return comma && [",", ")", undefined].includes(list[i + 1]?.text);
   }
   return false;
 }
