@@ -1,71 +1,81 @@
 """How many digits are lost at high degree, in Bernstein and in power form: float64 and float32.
 
 The largest error against exact rational values, relative to the largest control point, over
-random control points and the alternating ones, which are the worst case of the power form. It is
-the measurement behind `HORNER_DEGREE`. `--picture FILE` draws it.
+random control points and the alternating ones, which are the worst case of the power form: its
+coefficients, made of them in the same precision, are up to 3^n times larger. It is the measurement
+behind `HORNER_DEGREE`. `--picture FILE` draws it.
 """
 
 from __future__ import annotations
 
 import argparse
 from fractions import Fraction
+from functools import lru_cache
+from math import comb
 from typing import Any
 
 import numpy as np
-import sympy as sp
 
 from numeric.bernstein.evaluation import point_tape
 from numeric.curves.evaluation import HORNER_DEGREE
 from numeric.tape.operations import KERNELS
-from symbolic import bezier, de_casteljau
+from symbolic import bezier
 
-PARAMETERS = [Fraction(k / 37) for k in range(38)]  # floats, taken exactly
+PARAMETERS = np.arange(38) / 37
 DEGREES = range(1, 26)
 FORMS = {"Bernstein": False, "powers": True}
 FLOATS = {"float64": np.float64, "float32": np.float32}
 
 
-def polygons(degree: int, random: np.random.Generator) -> list[list[Fraction]]:
-    """Return the alternating control polygon and some random ones, exact in either precision."""
-    alternating = [Fraction((-1) ** i) for i in range(degree + 1)]
-    drawn = random.uniform(-1, 1, (8, degree + 1)).astype(np.float32).tolist()
-    return [alternating, *([Fraction(v) for v in row] for row in drawn)]
+def polygons(degree: int, random: np.random.Generator) -> np.ndarray:
+    """Return control points of size 1 a row: alternating ones, with random signs, and random."""
+    alternating = np.outer(random.uniform(0.5, 1, 8), (-1.0) ** np.arange(degree + 1))
+    signs = random.choice([-1.0, 1.0], (8, degree + 1)) * random.uniform(0.5, 1, (8, 1))
+    return np.concatenate([alternating, signs, random.uniform(-1, 1, (8, degree + 1))])
 
 
-def evaluate(points: list[Fraction], horner: bool, kind: Any, t: np.ndarray) -> np.ndarray:
-    """Return values of the tape that curves run, in a precision; powers are exact, then rounded."""
-    numbers = points
-    if horner:
-        exact = bezier(len(points) - 1).matrix_as(powers="ascending") @ _column(points)
-        numbers = [Fraction(int(x.p), int(x.q)) for x in exact]
-    tape = point_tape(len(points) - 1, 1, False, horner)
-    registers = [kind(float(n)) for n in numbers] + [t.astype(kind)]
+def evaluate(points: np.ndarray, horner: bool, kind: Any, t: np.ndarray) -> np.ndarray:
+    """Return values of the tape that curves run, in the precision of `points` and `t`."""
+    n = len(points) - 1
+    numbers = power_matrix(n).astype(kind) @ points if horner else points
+    tape = point_tape(n, 1, False, horner)
+    registers = [*numbers, t]
     registers += [kind(c[0]) / kind(c[1]) if isinstance(c, tuple) else kind(c)
                   for c in tape.constants]  # fmt: skip
     for operation, *operands in tape.instructions:
         registers.append(KERNELS[operation](*(registers[r] for r in operands)))
     (output,) = tape.outputs.values()
-    return np.asarray(registers[output.registers[0]], float)
+    return np.asarray(registers[output.registers[0]])
+
+
+@lru_cache
+def power_matrix(degree: int) -> np.ndarray:
+    """Return the derived matrix that takes control points to coefficients of 1, t, ..., t^n."""
+    return np.array(bezier(degree).matrix_as(powers="ascending").tolist(), dtype=float)
+
+
+def exact_values(points: np.ndarray, t: np.ndarray) -> list[Fraction]:
+    """Return sum C(n, i) u^i (1 - u)^(n - i) P_i at floats that are taken as they are."""
+    n, exact = len(points) - 1, [Fraction(float(p)) for p in points]
+    return [
+        sum((comb(n, i) * u**i * (1 - u) ** (n - i) * p for i, p in enumerate(exact)), Fraction(0))
+        for u in (Fraction(float(number)) for number in t)
+    ]
 
 
 def worst_errors(degree: int, random: np.random.Generator) -> dict[tuple[str, str], float]:
     """Return the largest relative error of either form in either precision."""
     errors = dict.fromkeys(((form, name) for form in FORMS for name in FLOATS), 0.0)
-    for points in polygons(degree, random):
-        rows = [[p] for p in points]
-        size = max(abs(float(p)) for p in points)
+    for polygon in polygons(degree, random):
         for name, kind in FLOATS.items():
-            t = np.array([float(u) for u in PARAMETERS]).astype(kind)
-            exact = [float(de_casteljau(rows, Fraction(float(u)))[-1][0][0]) for u in t]
+            points, t = polygon.astype(kind), PARAMETERS.astype(kind)
+            exact = exact_values(points, t)
+            size = float(np.abs(points).max())
             for form, horner in FORMS.items():
                 found = evaluate(points, horner, kind, t)
-                error = float(np.abs(found - exact).max()) / size
-                errors[form, name] = max(errors[form, name], error)
+                told = [abs(Fraction(float(v)) - e) for v, e in zip(found, exact, strict=True)]
+                errors[form, name] = max(errors[form, name], float(max(told)) / size)
     return errors
-
-
-def _column(points: list[Fraction]) -> Any:
-    return sp.Matrix([sp.Rational(p.numerator, p.denominator) for p in points])
 
 
 def draw(errors: dict[int, dict[tuple[str, str], float]], file: str) -> None:

@@ -12,8 +12,8 @@ from numeric.curves.evaluation import HORNER_DEGREE
 from symbolic import RationalBezier
 
 # At `HORNER_DEGREE`: float64 and float32 in Bernstein form, then in power form.
-DOCUMENTED = {3: (3e-16, 2e-7, 6e-16, 6e-7), 7: (5e-16, 3e-7, 4e-14, 2e-5),
-              12: (6e-16, 3e-7, 5e-12, 8e-3), 25: (2e-15, 6e-7, 2e-5, np.inf)}  # fmt: skip
+DOCUMENTED = {3: (4e-16, 3e-7, 3e-15, 2e-6), 7: (8e-16, 4e-7, 3e-13, 2e-4),
+              12: (1e-15, 5e-7, 3e-11, 2e-2), 25: (2e-15, 1e-6, 1e-4, np.inf)}  # fmt: skip
 COLUMNS = [("Bernstein", "float64"), ("Bernstein", "float32"),
            ("powers", "float64"), ("powers", "float32")]  # fmt: skip
 
