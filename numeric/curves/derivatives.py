@@ -10,6 +10,7 @@ import numpy as np
 from symbolic.errors import BadValue, shown
 
 from ..bernstein import form
+from .making import factor_power, finite_rows
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -17,7 +18,8 @@ if TYPE_CHECKING:
 
 def derivative_rows(rows: np.ndarray, breaks: np.ndarray) -> np.ndarray:
     """Return the rows of the derivative by t: by u, divided by the segment's length."""
-    return form.derivative(rows) / form.along_rows(np.diff(breaks), rows)
+    with np.errstate(over="ignore", invalid="ignore"):
+        return finite_rows(form.derivative(rows) / form.along_rows(np.diff(breaks), rows))
 
 
 def derivative(curve: Curve) -> Curve:
@@ -26,20 +28,27 @@ def derivative(curve: Curve) -> Curve:
     Of a polynomial curve it has degree n - 1 and control points n (P_{i+1} - P_i) / h on a
     segment of length h; of a rational one degree 2n.
 
+    Raises
+    ------
+    BadValue
+        If a coefficient is too large for a float, as on segments of length 1e-320.
+
     Examples
     --------
     >>> from numeric import Curve
     >>> Curve.from_bezier([[0, 0], [1, 2], [2, 0]], domain=(0, 2)).derivative()(0)
     array([1., 2.])
     """
-    rows = derivative_rows(curve.rows, curve.breaks)
     if not curve.rational:
-        return curve.with_rows(rows, curve.breaks)
-    n, w = curve.rows[..., :-1], curve.rows[..., -1:]
-    above = form.product(rows[..., :-1], w) - form.product(n, rows[..., -1:])
-    below = form.product(w, w)
-    above = form.elevate(above, below.shape[1] - above.shape[1])
-    return curve.with_rows(np.concatenate([above, below], axis=2), curve.breaks)
+        return curve.with_rows(derivative_rows(curve.rows, curve.breaks), curve.breaks)
+    held = np.ldexp(curve.rows, -factor_power(curve.rows[..., -1])[..., None])
+    rows = derivative_rows(held, curve.breaks)
+    n, w = held[..., :-1], held[..., -1:]
+    with np.errstate(over="ignore", invalid="ignore"):
+        above = form.product(rows[..., :-1], w) - form.product(n, rows[..., -1:])
+        below = form.product(w, w)
+        above = form.elevate(above, below.shape[1] - above.shape[1])
+    return curve.with_rows(finite_rows(np.concatenate([above, below], axis=2)), curve.breaks)
 
 
 def derivatives(curve: Curve, t: Any, order: Any) -> list[np.ndarray]:

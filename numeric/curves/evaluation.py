@@ -18,12 +18,13 @@ from .spans import Spans, Workspace
 #
 #   degree      Bernstein form         power form, Horner's rule
 #            float64    float32         float64    float32
-#      3     3e-16      2e-7            6e-16      6e-7
-#      7     5e-16      3e-7            4e-14      2e-5
-#     12     6e-16      3e-7            5e-12      8e-3
-#     25     2e-15      6e-7            2e-5       all digits
+#      3     4e-16      3e-7            3e-15      2e-6
+#      7     8e-16      4e-7            3e-13      2e-4
+#     12     1e-15      5e-7            3e-11      2e-2
+#     25     2e-15      1e-6            1e-4       all digits
 #
-# The power form loses about half a digit a degree and costs a third of the time.
+# The power form loses half a digit a degree, since its coefficients are up to 3^n times larger
+# than the control points they are made of. It costs a third of the time.
 HORNER_DEGREE = 7
 
 # Errors of the power form are errors of a segment's largest weight: divided by one that is this
@@ -34,6 +35,8 @@ UNEVEN = 8.0
 # Powers of these lengths and sizes stay far from the largest and smallest floats.
 SAFE_LENGTHS = (1e-20, 1e20)
 SAFE_SIZES = (1e-100, 1e100)
+# Sums of coefficients above this may overflow: they are taken times a power of two.
+HUGE, DOWN = 1e250, -200
 
 
 class Table(NamedTuple):
@@ -47,25 +50,30 @@ class Table(NamedTuple):
         Which of them: powers up to `HORNER_DEGREE`, unless weights are `UNEVEN`.
     lengths : array, shape (segments,), or None
         What t - start is to be divided by; None if the coefficients are those of its powers.
+    up : int
+        The coordinates are 2 to this power times the values; in a quotient it does not matter.
     """
 
     coefficients: np.ndarray
     powers: bool
     lengths: np.ndarray | None
+    up: int
 
 
 def coefficient_table(rows: np.ndarray, breaks: np.ndarray, rational: bool) -> Table:
     """Return the table of segments with these rows (m, n + 1, columns) over these breaks."""
     lengths, n = np.diff(breaks), rows.shape[1] - 1
     powers = n <= HORNER_DEGREE and not (rational and _uneven(rows[..., -1]))
-    taken_up = False
+    taken_up, huge = False, bool(np.abs(rows).max() > HUGE)
+    if huge:
+        rows = np.ldexp(rows, DOWN)
     if powers:
         rows = to_powers(rows)
         if _within(lengths, SAFE_LENGTHS) and _within(np.abs(rows).max(), SAFE_SIZES):
             rows = rows / lengths[:, None, None] ** np.arange(n + 1)[:, None]
             taken_up = True
     coefficients = np.ascontiguousarray(np.moveaxis(rows, 0, 2))
-    return Table(coefficients, powers, None if taken_up else lengths)
+    return Table(coefficients, powers, None if taken_up else lengths, -DOWN if huge else 0)
 
 
 def _uneven(weights: np.ndarray) -> bool:
@@ -115,6 +123,8 @@ def evaluate(
                 runners[key] = Runner(point_plan(*kind, one), len(chunk))
             inputs = [gather(row, u) if one else partial(gather, row) for row in rows]
             runners[key].run([*inputs, u], out[:, first : first + CHUNK])
+        if table.up and not rational:
+            np.ldexp(out, table.up, out=out)
     if count == 1:  # a constant, also at what is no number
         out[:, np.isnan(t) | np.isinf(t)] = np.nan
     return out

@@ -23,6 +23,8 @@ from ..points import float_points, real_array
 
 Rows = tuple[np.ndarray, np.ndarray]
 
+USUAL_POWER = 100  # of two; squares of such weights, and points times them, are far from the limits
+
 
 def read_segments(points: Any) -> np.ndarray:
     """Return the control points of one segment, or of several of one degree, (m, n + 1, dim)."""
@@ -62,9 +64,10 @@ def read_breaks(domain: Any, segments: int) -> np.ndarray:
 
 
 def with_weights(points: np.ndarray, weights: Any) -> np.ndarray:
-    """Return homogeneous rows of points (..., dim) and their weights (...).
+    """Return homogeneous rows of points (..., n + 1, dim) and their weights (..., n + 1).
 
-    The row of a weight 0 is (v, 0): its point is taken as a vector v.
+    The row of a weight 0 is (v, 0): its point is taken as a vector v. A common factor of weights
+    that are all very large or very small is dropped, as `factor_power` tells.
     """
     numbers = real_array(weights, "weights")
     if numbers.shape != points.shape[:-1]:
@@ -75,8 +78,33 @@ def with_weights(points: np.ndarray, weights: Any) -> np.ndarray:
         )
     if not np.isfinite(numbers).all():
         raise BadValue("finite weights", f"{numbers[~np.isfinite(numbers)][0]}", "Mend it.")
-    numbers = numbers[..., None]
-    return np.concatenate([np.where(numbers == 0, points, numbers * points), numbers], axis=-1)
+    power = factor_power(numbers)
+    scaled = np.ldexp(numbers, -power)[..., None]
+    with np.errstate(over="ignore"):
+        vectors = np.ldexp(points, -power[..., None])
+        return finite_rows(
+            np.concatenate([np.where(scaled == 0, vectors, scaled * points), scaled], axis=-1)
+        )
+
+
+def factor_power(weights: np.ndarray) -> np.ndarray:
+    """Return k for every row of weights (..., n + 1), shape (..., 1): they may be divided by 2^k.
+
+    That changes no point and rounds nothing. k is 0 for weights of usual size, and otherwise
+    makes the largest at most 1: products with the others then neither overflow nor vanish.
+    """
+    power = np.frexp(np.abs(weights).max(axis=-1, keepdims=True))[1]
+    return np.where(np.abs(power) > USUAL_POWER, power, 0)
+
+
+def finite_rows(rows: np.ndarray) -> np.ndarray:
+    """Return rows of coefficients, or raise if one of them is too large for a float."""
+    if not np.isfinite(rows).all():
+        raise BadValue(
+            "coefficients that floats can hold", "some beyond 1.8e308",
+            "Scale the points down, or the domain up.",
+        )  # fmt: skip
+    return rows
 
 
 def basis_points(basis: Basis, geometry: Any) -> np.ndarray:
@@ -88,7 +116,8 @@ def basis_points(basis: Basis, geometry: Any) -> np.ndarray:
             "a basis without parameters", f"{basis.name} in {basis.matrix.free_symbols}",
             "Substitute numbers for them in the constraints.",
         )  # fmt: skip
-    return np.array(basis.to(bezier(basis.degree)).tolist(), dtype=float) @ rows
+    with np.errstate(over="ignore", invalid="ignore"):
+        return finite_rows(np.array(basis.to(bezier(basis.degree)).tolist(), dtype=float) @ rows)
 
 
 def bspline_rows(points: Any, knots: Any, degree: Any, weights: Any = None) -> Rows:
@@ -146,6 +175,9 @@ def read_knots(knots: Any, degree: Any, count: int) -> tuple[np.ndarray, int]:
             "finite knots that do not decrease", f"{u[at]:g} at knot {at} and the next",
             "Sort them; a knot may be repeated.",
         )  # fmt: skip
+    with np.errstate(over="ignore"):
+        if not np.isfinite(u[-1] - u[0]):
+            raise BadValue("knots over a finite length", f"{u[0]:g} to {u[-1]:g}", "Scale them.")
     return u, int(degree)
 
 

@@ -10,7 +10,7 @@ from symbolic.errors import BadType, BadValue, OutsideDomain, shown
 
 from ..bernstein import form
 from ..points import real_array, real_number
-from .making import common_rows, read_breaks
+from .making import common_rows, finite_rows, read_breaks
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -118,9 +118,8 @@ def reverse(curve: Curve) -> Curve:
     array([1., 2.])
     """
     start, end = curve.domain
-    breaks = (start + end) - curve.breaks[::-1]
-    breaks[[0, -1]] = start, end
-    return curve.with_rows(curve.rows[::-1, ::-1].copy(), read_breaks(breaks, len(curve)))
+    breaks = start + (end - curve.breaks[::-1])
+    return curve.with_rows(curve.rows[::-1, ::-1].copy(), _moved(breaks, start, end))
 
 
 def transform(curve: Curve, matrix: Any, offset: Any = None) -> Curve:
@@ -145,6 +144,7 @@ def transform(curve: Curve, matrix: Any, offset: Any = None) -> Curve:
         linear = linear * np.eye(curve.dim)
     if (
         linear.ndim != 2
+        or not len(linear)
         or linear.shape[1] != curve.dim
         or shift.shape not in ((), linear.shape[:1])
     ):
@@ -155,12 +155,12 @@ def transform(curve: Curve, matrix: Any, offset: Any = None) -> Curve:
         )
     rows = curve.rows
     shift = np.broadcast_to(shift, linear.shape[:1])
-    if not curve.rational:
-        return curve.with_rows(rows @ linear.T + shift, curve.breaks)
-    w = rows[..., -1:]
-    return curve.with_rows(
-        np.concatenate([rows[..., :-1] @ linear.T + w * shift, w], 2), curve.breaks
-    )
+    with np.errstate(over="ignore", invalid="ignore"):
+        if not curve.rational:
+            return curve.with_rows(finite_rows(rows @ linear.T + shift), curve.breaks)
+        w = rows[..., -1:]
+        moved = np.concatenate([rows[..., :-1] @ linear.T + w * shift, w], 2)
+    return curve.with_rows(finite_rows(moved), curve.breaks)
 
 
 def reparametrize(curve: Curve, domain: Any) -> Curve:
@@ -175,9 +175,8 @@ def reparametrize(curve: Curve, domain: Any) -> Curve:
         raise BadValue("(start, end)", shown(domain), "Give two numbers.")
     read_breaks(ends, 1)
     start, end = curve.domain
-    breaks = ends[0] + (curve.breaks - start) * ((ends[1] - ends[0]) / (end - start))
-    breaks[[0, -1]] = ends
-    return curve.with_rows(curve.rows, read_breaks(breaks, len(curve)))
+    breaks = ends[0] + (curve.breaks - start) / (end - start) * (ends[1] - ends[0])
+    return curve.with_rows(curve.rows, _moved(breaks, *ends))
 
 
 def elevate(curve: Curve, by: int = 1) -> Curve:
@@ -187,7 +186,21 @@ def elevate(curve: Curve, by: int = 1) -> Curve:
     >>> Curve.from_bezier([[0, 0], [2, 2]]).elevate().points.tolist()
     [[[0.0, 0.0], [1.0, 1.0], [2.0, 2.0]]]
     """
+    if isinstance(by, bool) or not isinstance(by, int | np.integer) or by < 0:
+        raise BadValue("a number of degrees, 0, 1, 2, ...", shown(by), "Give a whole number.")
     return curve.with_rows(form.elevate(curve.rows, by), curve.breaks)
+
+
+def _moved(breaks: np.ndarray, start: float, end: float) -> np.ndarray:
+    """Return breaks moved to the domain (start, end), or raise where two of them meet there."""
+    breaks[[0, -1]] = start, end
+    if not (np.diff(breaks) > 0).all():
+        raise BadValue(
+            "segments that have a length on the new domain",
+            f"one too short to be told from a point of [{start:g}, {end:g}]",
+            "Keep it near 0, where floats are dense, or leave it out.",
+        )
+    return breaks
 
 
 def _inside(curve: Curve, t: Any) -> float:
