@@ -6,6 +6,7 @@ from .continuity import continuity
 from .de_casteljau import de_casteljau
 from .hodograph import hodograph
 from .interpolation import interpolation
+from .knot_insertion import knot_insertion
 from .kochanek_bartels import kochanek_bartels
 from .rational import rational
 from .subdivision import subdivision
@@ -17,6 +18,7 @@ __all__ = [
     "de_casteljau",
     "hodograph",
     "interpolation",
+    "knot_insertion",
     "kochanek_bartels",
     "rational",
     "subdivision",

@@ -116,7 +116,7 @@ def _combined(functions: list[Any], points: Any) -> list[Any]:
 def _triangle(scene: Scene, d: Any, knots: list[Any], u: Any) -> None:
     """Draw de Boor's points of the active span: those of every span, where it is the active one."""
     spans = range(DEGREE, len(d))
-    levels = [_de_boor(d, knots, s, u) for s in spans]
+    levels = [de_boor_levels(d, knots, s, u) for s in spans]
     active = [_indicator(knots, s, u) for s in spans]
     for r in range(1, DEGREE + 1):
         points = [
@@ -129,7 +129,8 @@ def _triangle(scene: Scene, d: Any, knots: list[Any], u: Any) -> None:
                    ["c(t)"] if last else None, radius=6 if last else 4, since=r)  # fmt: skip
 
 
-def _de_boor(d: Any, knots: list[Any], span: int, u: Any) -> list[list[list[Any]]]:
+def de_boor_levels(d: Any, knots: list[Any], span: int, u: Any) -> list[list[list[Any]]]:
+    """Return the levels of de Boor's triangle for u in [knots[span], knots[span + 1]]."""
     levels = [[list(d[span - DEGREE + j]) for j in range(DEGREE + 1)]]
     for r in range(1, DEGREE + 1):
         level = []
