@@ -6,9 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+import sympy as sp
 
 from numeric import Curve
-from symbolic import de_casteljau
+from symbolic import bernstein, de_casteljau
 from widgets import Figure, Scene
 
 README = Path(__file__).parents[1] / "README.md"
@@ -21,6 +22,8 @@ GIVEN = {
     "other": Curve.from_bezier([[0, 1], [4, 1]]),
     "Scene": Scene,
     "Figure": Figure,
+    "Symbol": sp.Symbol,
+    "bernstein": bernstein,
     "de_casteljau": de_casteljau,
 }
 
