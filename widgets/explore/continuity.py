@@ -139,6 +139,6 @@ def _ask(scene: Scene, p: list[Point], r: sp.Symbol) -> None:
     scene.question(
         "And Q_2 for C^2? Type (x, y).", next_point(2, r), since=2,
         mistakes={"That is right for equal intervals only.": next_point(2, 1)},
-        hint="Not yet. With Q_1 as C^1 wants it: prolong P_1 P_2 by r times its length to d; Q_2 is "
-        "r times as far beyond Q_1 as d is before it, on their line.",
+        hint="Not yet. With Q_1 as C^1 wants it: prolong P_1 P_2 by r times its length to d; "
+        "Q_2 is r times as far beyond Q_1 as d is before it, on their line.",
     )  # fmt: skip
