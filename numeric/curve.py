@@ -287,7 +287,7 @@ class Curve:
             raise OutsideDomain(
                 f"parameters in [{start:g}, {end:g}]",
                 f"{t[outside][0]}",
-                "Both ends belong to the domain; restrict t to it, or pass extrapolate=True.",
+                "Both ends belong to it. Points and derivatives take extrapolate=True.",
             )
         return np.where(finite, t, np.nan)
 

@@ -62,6 +62,8 @@ def real_array(values: Any, what: str) -> np.ndarray:
         )
         if array.dtype.kind in "iufO" and not foreign:
             return array.astype(float, copy=False)
+    except OverflowError:  # of an int or Fraction
+        raise _too_large(values) from None
     except (TypeError, ValueError):
         pass
     raise BadType(f"real numbers as {what}", shown(values), "Give a number or an array of numbers.")
@@ -96,6 +98,8 @@ def _array(points: Any) -> np.ndarray:
         raise _ragged(points)
     try:
         return entries.astype(float)
+    except OverflowError:  # of an int or Fraction
+        raise _too_large(points) from None
     except (TypeError, ValueError):
         raise BadType(
             "real numbers as coordinates", shown(points), "Substitute values for symbols first."
@@ -108,3 +112,7 @@ def _ragged(points: Any) -> BadValue:
         shown(points),
         "Give every point the same number of coordinates.",
     )
+
+
+def _too_large(values: Any) -> BadValue:
+    return BadValue("numbers that floats can hold", shown(values), "Scale them below 1.8e308.")

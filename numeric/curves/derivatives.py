@@ -51,8 +51,10 @@ def derivative(curve: Curve) -> Curve:
     return curve.with_rows(finite_rows(np.concatenate([above, below], axis=2)), curve.breaks)
 
 
-def derivatives(curve: Curve, t: Any, order: Any) -> list[np.ndarray]:
+def derivatives(curve: Curve, t: Any, order: Any, extrapolate: bool = False) -> list[np.ndarray]:
     """Return the points and the derivatives of order 1, ..., `order` at parameters t.
+
+    A t outside the domain is an error, unless it may extrapolate, as when the curve is called.
 
     Returns
     -------
@@ -73,10 +75,10 @@ def derivatives(curve: Curve, t: Any, order: Any) -> list[np.ndarray]:
     if isinstance(order, bool) or not isinstance(order, int | np.integer) or order < 0:
         raise BadValue("an order of derivative, 0, 1, 2, ...", shown(order), "Give a whole number.")
     flat = type(curve)(curve.homogeneous, curve.breaks) if curve.rational else curve
-    found = [flat(t)]
+    found = [flat(t, extrapolate)]
     for _ in range(order):
         flat = flat.derivative()
-        found.append(flat(t))
+        found.append(flat(t, extrapolate))
     if not curve.rational:
         return found
     numerators, w = [f[..., :-1] for f in found], [f[..., -1:] for f in found]

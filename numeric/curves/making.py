@@ -109,6 +109,8 @@ def finite_rows(rows: np.ndarray) -> np.ndarray:
 
 def basis_points(basis: Basis, geometry: Any) -> np.ndarray:
     """Return the Bezier points (n + 1, dim) of a basis and its geometry vector."""
+    if not isinstance(basis, Basis):
+        raise BadType("a Basis of symbolic", shown(basis), "Such as hermite().")
     rows = float_points(geometry)
     basis.require_rows(len(rows))
     if basis.matrix.free_symbols:
@@ -168,11 +170,13 @@ def read_knots(knots: Any, degree: Any, count: int) -> tuple[np.ndarray, int]:
             f"shape {u.shape}",
             "Every control point has degree + 2 knots under its function.",
         )
-    falls = np.flatnonzero(~(np.diff(u) >= 0))
-    if not np.isfinite(u).all() or len(falls):
-        at = falls[0] if len(falls) else int(np.flatnonzero(~np.isfinite(u))[0])
+    infinite = np.flatnonzero(~np.isfinite(u))
+    if len(infinite):
+        raise BadValue("finite knots", f"{u[infinite[0]]} as knot {infinite[0]}", "Mend it.")
+    falls = np.flatnonzero(np.diff(u) < 0)
+    if len(falls):
         raise BadValue(
-            "finite knots that do not decrease", f"{u[at]:g} at knot {at} and the next",
+            "knots that do not decrease", f"{u[falls[0]]:g} before {u[falls[0] + 1]:g}",
             "Sort them; a knot may be repeated.",
         )  # fmt: skip
     with np.errstate(over="ignore"):
@@ -208,7 +212,8 @@ def _expression_rows(coordinates: Any, t: Any, start: Any, end: Any) -> tuple[np
     The change to Bezier form is exact; only its result is rounded. The second value tells
     whether the rows are homogeneous.
     """
-    listed = as_list(coordinates)
+    matrix = isinstance(coordinates, sp.MatrixBase)
+    listed = list(coordinates) if matrix else as_list(coordinates)
     if not listed or not isinstance(t, sp.Symbol):
         raise BadType(
             "a list of polynomials and their symbol", shown((coordinates, t)),

@@ -9,7 +9,9 @@ import numpy as np
 from symbolic.errors import BadValue
 
 from ..bernstein import form
+from ..curves.making import USUAL_POWER
 from ..points import real_array
+from ..tape.runner import CHUNK
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -55,6 +57,19 @@ def curvature(curve: Curve, t: Any) -> np.ndarray:
             "Add a coordinate, as in (t, x).",
         )
     t = real_array(t, "parameters")
+    at, out = t.ravel(), np.empty(t.size)
+    power = int(np.frexp(curve.domain[1] - curve.domain[0])[1])
+    if abs(power) > USUAL_POWER:  # rounds nothing, and curvature does not depend on the domain
+        curve(at)  # refuses what is outside
+        curve = curve.with_rows(curve.rows, np.ldexp(curve.breaks, -power))
+        at = np.ldexp(at, -power)
+    many = max(CHUNK, 4 * len(curve))  # a chunk takes derivatives of all segments
+    for first in range(0, len(at), many):
+        out[first : first + many] = _values(curve, at[first : first + many])
+    return out.reshape(t.shape)
+
+
+def _values(curve: Curve, t: np.ndarray) -> np.ndarray:
     c, first, second = curve.derivatives(t, 2)
     with np.errstate(all="ignore"):
         length = _norm(first)

@@ -192,3 +192,19 @@ def test_every_way_in_is_guarded(build):
 def test_the_symbol_of_an_expression_is_matched_by_name():
     curve = Curve.from_expressions([sp.Symbol("t", real=True) ** 2], t)
     assert curve(0.5) == pytest.approx(0.25)
+
+
+def test_derivatives_outside_the_domain_are_those_of_the_same_polynomial():
+    curve = Curve.from_expressions(sp.Matrix([t**2, t**3]), t)
+    with pytest.raises(OutsideDomain, match="extrapolate=True"):
+        curve.derivatives(2, 1)
+    found = curve.derivatives([-1, 2], 2, extrapolate=True)
+    expected = [[[1, -1], [4, 8]], [[-2, 3], [4, 12]], [[2, -6], [2, 12]]]
+    np.testing.assert_allclose(found, expected, rtol=1e-14)
+
+
+def test_whole_numbers_beyond_floats_are_told():
+    curve = Curve.from_bezier([[0, 0], [1, 1]])
+    for build in (lambda: curve(10**400), lambda: Curve.from_bezier([[10**400, 0], [1, 1]])):
+        with pytest.raises(BadValue, match="floats can hold"):
+            build()

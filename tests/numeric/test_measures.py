@@ -318,6 +318,25 @@ def test_curvature_scales_inversely_and_takes_no_notice_of_the_domain(seed, rati
     assert (np.abs(moved.curvature(-3 + 2 * share) - expected) < 1e3 * tight).all()
 
 
+@pytest.mark.parametrize("end", [1e-300, 1e-160, 1e160, 1e300])
+def test_curvature_on_domains_whose_squares_are_no_floats(end):
+    curve = Curve.from_bezier(LOOP)
+    at = np.array([0, 0.2, 0.9])
+    found = curve.reparametrize((0, end)).curvature(at * end)
+    np.testing.assert_allclose(found, curve.curvature(at), rtol=1e-12)
+    with pytest.raises(OutsideDomain, match="parameters in"):
+        curve.reparametrize((0, end)).curvature(2 * end)
+
+
+def test_curvature_of_many_points_takes_them_in_chunks():
+    curve = Curve.from_bezier(LOOP)
+    at = np.linspace(0, 1, 40_000).reshape(2, -1)
+    found = curve.curvature(at)
+    picked = [[0, 1, 16_383, 16_384, 19_999]]
+    for row in (0, 1):
+        np.testing.assert_array_equal(found[row][picked], curve.curvature(at[row][picked]))
+
+
 def test_where_the_speed_vanishes_curvature_has_no_value():
     assert np.isnan(Curve.from_bezier(CUSP).curvature(0.5))
     assert np.isnan(Curve.from_bezier(POINT).curvature([0, 0.3, 1])).all()
