@@ -48,7 +48,11 @@ def flattening_row(segments: np.ndarray) -> Row:
         for polyline in (vertices[first:last], polygons[i] / scale):
             off = _deviation(Curve.from_bezier(segments[i]), polyline)
             assert off < 1.05 * TOLERANCE, (i, off)
-    works: dict[str, Work] = {"ours": partial(curve.flatten, TOLERANCE), "matplotlib Agg": by_agg}
+    works: dict[str, Work] = {
+        "ours": partial(curve.flatten, TOLERANCE),
+        "matplotlib to_polygons": by_agg,
+        "matplotlib cleaned": partial(path.cleaned, curves=False),  # one path, not a list
+    }
     return Row(f"flatten {len(segments)} cubics to {TOLERANCE:g}", works, {}, 0.5)
 
 
