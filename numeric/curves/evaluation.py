@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
@@ -69,7 +69,8 @@ def coefficient_table(rows: np.ndarray, breaks: np.ndarray, rational: bool) -> T
         rows = np.ldexp(rows, DOWN)
     if powers:
         rows = to_powers(rows)
-        if _within(lengths, SAFE_LENGTHS) and _within(np.abs(rows).max(), SAFE_SIZES):
+        sizes = np.abs(rows).max(axis=(0, 1))  # weights and each coordinate have their own
+        if _within(lengths, SAFE_LENGTHS) and _within(sizes[sizes > 0], SAFE_SIZES):
             rows = rows / lengths[:, None, None] ** np.arange(n + 1)[:, None]
             taken_up = True
     coefficients = np.ascontiguousarray(np.moveaxis(rows, 0, 2))
@@ -81,7 +82,7 @@ def _uneven(weights: np.ndarray) -> bool:
     return bool((UNEVEN * weights.min(axis=1) < weights.max(axis=1)).any())
 
 
-def _within(values: Any, bounds: tuple[float, float]) -> bool:
+def _within(values: np.ndarray, bounds: tuple[float, float]) -> bool:
     return bool((values >= bounds[0]).all() and (values <= bounds[1]).all())
 
 
