@@ -141,7 +141,7 @@ def test_many_parameters_give_what_each_gives_alone(degree, rational, segments):
     points = random.uniform(-1, 1, (segments, degree + 1, 2))
     weights = random.uniform(1, 2, (segments, degree + 1)) if rational else None
     curve = Curve.from_bezier(points, (-1, 1), weights)
-    count = 2 * CHUNK + 3
+    count = 4 * CHUNK + 3  # of three segments, the first chunk holds one and the second two
     rising = np.sort(np.append(random.uniform(-1, 1, count - 9), np.resize(curve.breaks, 9)))
     orders = {
         "rising": rising,
@@ -155,7 +155,7 @@ def test_many_parameters_give_what_each_gives_alone(degree, rational, segments):
     }
     for name, t in orders.items():
         found = curve(t)
-        near = np.add.outer([4, CHUNK, 2 * CHUNK - 2], np.arange(-4, 5)).ravel()
+        near = np.add.outer([4, CHUNK, 2 * CHUNK, count - 5], np.arange(-4, 5)).ravel()
         some = np.append(near, random.integers(0, count, 30))
         alone = np.array([curve(t[i]) for i in some])
         np.testing.assert_allclose(found[some], alone, rtol=0, atol=1e-14, err_msg=name)

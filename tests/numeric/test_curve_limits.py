@@ -25,6 +25,17 @@ def test_the_largest_numbers_are_coordinates_too(degree, weights):
     np.testing.assert_allclose(found[1], expected, rtol=0, atol=1e-12 * LARGEST)
 
 
+@pytest.mark.parametrize("size", [1e-250, 1e-90, 1, 1e90, 1e249])
+@pytest.mark.parametrize("length", [1e-300, 1e-19, 1, 1e19, 1e300])
+@pytest.mark.parametrize("weights", [None, [1, 2, 1, 2, 1, 2, 1, 2]])
+def test_powers_of_any_length_are_taken_of_any_size(size, length, weights):
+    points = np.array([[3, 1], [1, 2], [2, 2], [5, 1], [4, 3], [1, 1], [2, 4], [3, 2.0]])
+    usual, u = Curve.from_bezier(points, weights=weights), np.array([0, 0.125, 0.75, 1])
+    for beside in (size, 1):  # one coordinate of this size, beside another
+        curve = Curve.from_bezier(points * [size, beside], (0, length), weights)
+        np.testing.assert_allclose(curve(u * length), usual(u) * [size, beside], rtol=1e-13)
+
+
 @pytest.mark.parametrize("factor", [1e-200, -1e-200, 1e200, 5e-324, 1e-30])
 def test_a_common_factor_of_weights_changes_nothing(factor):
     points, t = [[1.0, 0], [1, 1], [0, 1]], np.linspace(0, 1, 9)
