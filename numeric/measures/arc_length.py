@@ -8,6 +8,7 @@ import numpy as np
 
 from symbolic.errors import BadValue, OutsideDomain, shown
 
+from ..bernstein.balance import before
 from ..points import real_array
 from .length import LENGTH
 from .scale import parameters
@@ -101,6 +102,7 @@ def _inverse(curve: Curve, speeds: Speed, table: Stretches, s: np.ndarray) -> np
         k = np.searchsorted(ends, s[chosen], side="right")
         rest = s[chosen] - (ends[k] - table.length[k])
         u = _within(speeds, table, k, rest)
+        u = before(u, speeds.c[table.segment[k]])
         out[chosen] = parameters(curve, table.segment[k], u)
     out[s >= ends[-1]] = curve.domain[1]
     out[s <= 0] = curve.domain[0]

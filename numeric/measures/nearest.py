@@ -9,11 +9,12 @@ import numpy as np
 from symbolic.errors import BadValue, shown
 
 from ..bernstein import form
+from ..bernstein.balance import before
 from ..bernstein.evaluation import values_at
 from ..bernstein.roots import EPSILON, roots
 from ..points import real_array
 from .candidates import Tree, candidates, tree
-from .scale import at_places, parameters, row_scales, unit
+from .scale import at_places, even, parameters, row_scales
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -78,13 +79,14 @@ def nearest(curve: Curve, points: Any) -> Nearest:
         raise BadValue("finite coordinates", shown(points), "Leave such points out.")
     flat, shape = given.reshape(-1, curve.dim), given.shape[:-1]
     found = Nearest(np.empty(len(flat)), np.empty(flat.shape), np.empty(len(flat)))
-    whole = unit(curve)
+    whole, c = even(curve)
     with np.errstate(over="ignore"):  # very distant points compare as infinitely far
         moved = flat / whole.scale - whole.start
         below = tree(whole.rows, curve.dim, len(flat))
         for point, piece in candidates(below.levels, moved):
             point, piece, u, distance = _least(below, moved, point, piece)
             segment, u = below.segment[piece], below.start[piece] + below.width * u
+            u = before(u, c[segment])
             found.t[point] = parameters(curve, segment, u)
             found.points[point] = at_places(curve, segment, u)
             found.distance[point] = distance * whole.scale
@@ -123,6 +125,8 @@ def local_nearest(
     M . M' w - |M|^2 w'. Ends of pieces count only if the distance grows from there.
     """
     rows, p, dim = rows[piece], points[point], points.shape[1]
+    if rows.shape[2] > dim:  # a common factor of a piece's weights is no matter
+        rows = rows / row_scales(rows[..., dim:])[:, None, None]
     w = rows[..., dim:] if rows.shape[2] > dim else None
     apart = rows[..., :dim] - p[:, None] * (1 if w is None else w)
     scale = row_scales(apart)

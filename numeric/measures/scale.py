@@ -6,6 +6,7 @@ from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 
+from ..bernstein.balance import balanced
 from ..bernstein.evaluation import values_at
 
 if TYPE_CHECKING:
@@ -54,6 +55,13 @@ def row_scales(rows: np.ndarray) -> np.ndarray:
     """
     size = np.abs(rows).max(axis=tuple(range(1, rows.ndim)))
     return np.ldexp(1.0, np.frexp(size)[1] - 1)  # twice as much may be infinite
+
+
+def even(curve: Curve) -> tuple[Unit, np.ndarray]:
+    """Return the curve at size one, its segments balanced, with their c: `before` leads back."""
+    whole = unit(curve)
+    rows, c = balanced(whole.rows, curve.dim)
+    return whole._replace(rows=rows), c
 
 
 def parameters(curve: Curve, segment: np.ndarray, u: np.ndarray) -> np.ndarray:

@@ -13,7 +13,7 @@ import numpy as np
 
 from ..bernstein import form
 from ..bernstein.evaluation import values_at
-from .scale import unit
+from .scale import even
 
 if TYPE_CHECKING:
     from ..curve import Curve
@@ -38,12 +38,13 @@ class Speed(NamedTuple):
     """What the speed is computed from: coefficients (m, d + 1, columns) on every segment.
 
     For a polynomial curve they are those of c'(u); for a rational one of N, w, N' and w'. The
-    curve has been divided by `scale`.
+    curve has been divided by `scale`, and balanced by c, as `even` does it.
     """
 
     rows: np.ndarray
     rational: bool
     scale: float
+    c: np.ndarray
 
     def of(self, columns: np.ndarray) -> np.ndarray:
         """Return the speed from values of the columns, which stand along axis 0."""
@@ -84,13 +85,13 @@ class Speed(NamedTuple):
 
 
 def speed(curve: Curve) -> Speed:
-    """Return the speed of a curve's segments by their own parameter u in [0, 1]."""
-    rows, _, scale = unit(curve)
+    """Return the speed of a curve's segments by their balanced parameter u in [0, 1]."""
+    (rows, _, scale), c = even(curve)
     slopes = form.derivative(rows)
     if not curve.rational:
-        return Speed(slopes, False, scale)
+        return Speed(slopes, False, scale, c)
     raised = form.elevate(slopes, rows.shape[1] - slopes.shape[1])
-    return Speed(np.concatenate([rows, raised], axis=2), True, scale)
+    return Speed(np.concatenate([rows, raised], axis=2), True, scale, c)
 
 
 def stretches(speeds: Speed, tolerance: float) -> Stretches:

@@ -444,3 +444,12 @@ def test_elevation_changes_no_inflections():
 def test_inflections_need_the_plane():
     with pytest.raises(BadValue, match="plane"):
         Curve.from_bezier([[0, 0, 0], [1, 1, 1]]).inflections()
+
+
+def test_arc_length_over_weights_of_very_different_sizes():
+    points = [[0, 0], [1, 3], [2, 0]]
+    uneven = Curve.from_bezier(points, weights=[1e-5, 1, 1e5])
+    parabola = Curve.from_bezier(points)
+    assert uneven.length() == pytest.approx(parabola.length(), rel=1e-12)
+    expected = parabola(parabola.parameters_by_arc_length(9))
+    np.testing.assert_allclose(uneven(uneven.parameters_by_arc_length(9)), expected, atol=1e-10)

@@ -253,3 +253,14 @@ def test_too_many_pairs_are_halved(monkeypatch):
 def test_bad_points(points, error, said):
     with pytest.raises(error, match=said):
         Curve.from_bezier([[0, 0], [1, 1]]).nearest(points)
+
+
+@pytest.mark.parametrize("power", [5, 8, 12])
+def test_weights_of_very_different_sizes_hide_no_nearest_point(power):
+    """The weights w c^i belong to the same points: here those of a parabola."""
+    points = [[0, 0], [1, 3], [2, 0]]
+    uneven = Curve.from_bezier(points, weights=[10.0**-power, 1, 10.0**power])
+    given = np.array([[0.5, 1], [0.2, 0.5], [1, 2], [1.9, 0.2], [0.01, 0.02]])
+    found, expected = uneven.nearest(given), Curve.from_bezier(points).nearest(given)
+    np.testing.assert_allclose(found.distance, expected.distance, atol=1e-9)
+    np.testing.assert_allclose(uneven(found.t), expected.points, atol=1e-5)
