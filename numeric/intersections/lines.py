@@ -8,11 +8,12 @@ import numpy as np
 
 from symbolic.errors import BadValue, shown
 
+from ..bernstein.balance import balanced
 from ..bernstein.evaluation import values_at
 from ..bernstein.form import derivative
 from ..bernstein.roots import EPSILON, roots
 from ..points import real_array
-from .balance import balanced, unbalanced
+from .balance import unbalanced
 from .curves import Intersections
 from .pieces import points_at
 from .places import Places

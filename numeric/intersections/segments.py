@@ -8,9 +8,10 @@ import numpy as np
 
 from symbolic.errors import BadValue
 
+from ..bernstein.balance import balanced
 from ..bernstein.form import elevate
 from ..curves.making import read_segments
-from .balance import balanced, unbalanced, unbalanced_arcs
+from .balance import unbalanced, unbalanced_arcs
 from .pieces import points_at
 from .places import Places
 from .shared import Shared
