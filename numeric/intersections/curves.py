@@ -80,8 +80,9 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
     chords, and solves by Newton's method for pieces that meet at most once, as their directions
     show (Sederberg and Meyers, 1988).
 
-    An arc in common is found by its ends, where one of the segments ends. Of curves that fold back
-    within a line, arcs that end at a fold are not told; a place on them is, as touching.
+    An arc in common is found by its ends, where one of the segments ends or turns back. Of curves
+    that halt more than forty times where they meet, arcs that end at a halt are not told; a place
+    on them is, as touching.
 
     Examples
     --------

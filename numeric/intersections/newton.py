@@ -9,7 +9,9 @@ import numpy as np
 from .pieces import NOISE
 
 STEPS = 8
-BLURRED = 2.0**-20  # a crossing is told if its parameters on the segments are known so well
+BLURRED = 2.0**-20  # a crossing is told if its parameters on the segments are known so well,
+CLEAR = 2.0**-4  # and on pieces: else neighbours would each seem to have one
+TANGENT = 1e-6  # the sine of an angle between tangents that counts as none
 SETTLED = 1e-9  # a step as short as this is the last but one: errors are squared
 
 
@@ -24,11 +26,14 @@ class Solved(NamedTuple):
         How far off rounding may leave them.
     distance : array, shape (k,)
         Of the two points.
+    transversal : array of bool, shape (k,)
+        Whether tangents differ, by more than rounding hides.
     """
 
     at: np.ndarray
     error: np.ndarray
     distance: np.ndarray
+    transversal: np.ndarray
 
 
 def crossings(rows: np.ndarray, width: float, dim: int) -> tuple[np.ndarray, Solved]:
@@ -46,14 +51,15 @@ def crossings(rows: np.ndarray, width: float, dim: int) -> tuple[np.ndarray, Sol
             at = np.minimum(np.maximum(at + step, -0.5), 1.5)
             if np.abs(step).max(initial=0) <= SETTLED:
                 break
-        error = NOISE * _lengths(slopes)
+        lengths, sine = _lengths(slopes)
+        error = NOISE * lengths
         settled = np.abs(step) <= np.maximum(SETTLED, error)
-        inside = (at >= -error) & (at <= 1 + error) & (error < np.minimum(0.5, BLURRED / width))
+        inside = (at >= -error) & (at <= 1 + error) & (error < min(CLEAR, BLURRED / width))
         at = np.minimum(np.maximum(at, 0), 1)
         points = point_and_slopes(columns, at, dim)[0]
         distance = np.sqrt(((points[:, 0] - points[:, 1]) ** 2).sum(axis=0))
         met = (settled & inside).all(axis=0) & (distance <= 4 * NOISE)
-    return met, Solved(at[:, met], error[:, met], distance[met])
+    return met, Solved(at[:, met], error[:, met], distance[met], sine[met] > TANGENT)
 
 
 def crossing_from(
@@ -112,11 +118,13 @@ def _step(points: np.ndarray, slopes: np.ndarray) -> np.ndarray:
     return np.stack([ar * bb - br * ab, ar * ab - br * aa]) / (aa * bb - ab * ab)
 
 
-def _lengths(slopes: np.ndarray) -> np.ndarray:
-    """Return how far the place of a crossing moves for an error of 1 across the other curve."""
+def _lengths(slopes: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return how far a crossing moves for an error of 1 across the other curve, and the sine."""
     squares = (slopes * slopes).sum(axis=0)
     product = (slopes[:, 0] * slopes[:, 1]).sum(axis=0)
-    return np.sqrt(squares[::-1] / (squares[0] * squares[1] - product * product))
+    area = np.sqrt(squares[0] * squares[1] - product * product)
+    sizes = np.sqrt(squares)
+    return sizes[::-1] / area, area / sizes[0] / sizes[1]
 
 
 def nearest_places(columns: np.ndarray, at: np.ndarray, reach: np.ndarray, dim: int) -> Solved:
@@ -148,7 +156,7 @@ def nearest_places(columns: np.ndarray, at: np.ndarray, reach: np.ndarray, dim: 
                 step[0] *= -1
             step = np.nan_to_num(step, posinf=0, neginf=0)
             at = np.clip(np.clip(at + step, given - reach, given + reach), 0, 1)
-    return Solved(best, np.broadcast_to(reach, best.shape), least)
+    return Solved(best, np.broadcast_to(reach, best.shape), least, np.zeros(len(least), bool))
 
 
 def _parallel_step(apart: np.ndarray, first: np.ndarray, second: np.ndarray) -> np.ndarray:

@@ -40,6 +40,7 @@ class SegmentIntersections(NamedTuple):
     shared_pair : array, shape (l,)
     shared : array, shape (l, 2, 2)
         Arcs that both segments of a pair have in common, within rounding: from (u, v) to (u, v).
+        They may be cut at cusps, and are at folds.
     """
 
     pair: np.ndarray

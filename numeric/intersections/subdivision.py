@@ -8,10 +8,11 @@ from __future__ import annotations
 
 import numpy as np
 
+from .arcs import evident_arcs, shared_arcs
 from .newton import Solved, crossings
 from .pieces import Pairs, cut, meet_once, plain
 from .places import Places
-from .shared import Shared, evident_arcs, shared_arcs
+from .shared import Shared
 from .touching import alongside, touching_places
 
 FIRST, PARTS = 8, 4  # parts of a segment at first, and of a piece from then on
@@ -28,7 +29,7 @@ def subdivided(rows: np.ndarray, dim: int) -> tuple[Places, Shared]:
     crossing, open_, crowds = _cut_down(whole, dim, CROWDED * max(rows.shape[2] - 1, 1), arcs)
     if crowds:
         origins = np.unique(np.concatenate([pairs.origin for pairs in crowds]))
-        arcs = Shared.all_of([arcs.of_others(origins), shared_arcs(rows, origins, dim)])
+        arcs = Shared.all_of([arcs, shared_arcs(rows, origins, dim)]).longest()
     for pairs in crowds:
         pairs = pairs.chosen(~arcs.hold(pairs, dim))
         beside = alongside(rows, pairs, dim)
@@ -71,4 +72,4 @@ def _cut_down(
 def _on_segments(pairs: Pairs, solved: Solved) -> Places:
     at = pairs.start + pairs.width * solved.at
     error = np.maximum(pairs.width * solved.error, 2.0**-52)
-    return Places(pairs.origin, at, error, np.ones(len(pairs.origin), bool))
+    return Places(pairs.origin, at, error, solved.transversal)

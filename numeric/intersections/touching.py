@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+from itertools import product
+
 import numpy as np
 
 from ..measures.nearest import local_nearest
-from .newton import crossing_from, nearest_places, point_and_slopes
+from .newton import TANGENT, crossing_from, nearest_places, point_and_slopes
 from .pieces import NOISE, Pairs, plain, points_at
 from .places import Places, clusters
 
@@ -13,7 +15,7 @@ BESIDE = 1e-10  # a distance of segments that cutting into pieces cannot resolve
 FEW = 1 << 13  # points whose nearest places are looked for at a time
 TOUCH = 2.0**-43  # a distance, of size 1, that counts as none
 SHORTEST = 2.0**-26  # parameters of touching places that may be one
-TANGENT = 1e-6  # the sine of an angle between tangents that counts as none
+SLOW = 1e-3  # part of the greatest speed: so near to a cusp, places are as good as at it
 
 
 def touching_places(rows: np.ndarray, open_: list[Pairs], dim: int) -> Places:
@@ -29,7 +31,10 @@ def touching_places(rows: np.ndarray, open_: list[Pairs], dim: int) -> Places:
     with np.errstate(invalid="ignore", divide="ignore"):
         cosine = (slopes[:, 0] * slopes[:, 1]).sum(axis=0) / sizes.prod(axis=0)
         transversal = np.sqrt(1 - np.minimum(cosine**2, 1)) > TANGENT
-    return places._replace(transversal=transversal)
+    points = plain(rows[:, places.pair], dim)
+    steep = np.abs(np.diff(points, axis=2)).max(axis=(2, 3)) * (rows.shape[2] - 1)
+    moving = (sizes > SLOW * steep).all(axis=0)
+    return places._replace(transversal=transversal & moving)
 
 
 def alongside(rows: np.ndarray, pairs: Pairs, dim: int) -> np.ndarray:
@@ -84,11 +89,44 @@ def _of_clusters(rows: np.ndarray, pairs: Pairs, dim: int) -> tuple[Places, np.n
     columns, middle = _columns(rows, origin), (low + high) / 2
     at, distance = crossing_from(columns, middle, reach, dim)
     solved = nearest_places(columns, middle, reach, dim)
-    nearest = solved.distance <= np.maximum(distance, TOUCH)  # the crossings of nearly equal arcs
+    nearest = solved.distance <= np.maximum(distance, NOISE)  # the crossings of nearly equal arcs
     at, distance = np.where(nearest, solved.at, at), np.where(nearest, solved.distance, distance)
+    distance = distance + NOISE * 2.0**-8
+    for bound in (_ends, _corners):  # exact places are better than others equally near
+        exact, place = bound(rows[:, origin], low, high, dim)
+        at[:, exact], distance[exact] = place, 0
     touch = np.flatnonzero(distance <= TOUCH)
     places = Places(origin[touch], at[:, touch], reach[:, touch], np.zeros(len(touch), bool))
     return places, distance[touch]
+
+
+def _ends(
+    rows: np.ndarray, low: np.ndarray, high: np.ndarray, dim: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return which segments touch with an end of one, within bounds of parameters, and where."""
+    exact, place = np.zeros(low.shape[1], bool), (low + high) / 2
+    for side, end in product((0, 1), repeat=2):
+        which = np.flatnonzero((low[side] <= end) & (high[side] >= end) & ~exact)
+        given, reach = (low[:, which] + high[:, which]) / 2, (high[:, which] - low[:, which]) / 2
+        given[side], reach[side] = end, 0
+        solved = nearest_places(_columns(rows, which), given, reach, dim)
+        which, at = (x[..., solved.distance <= NOISE] for x in (which, solved.at))
+        exact[which], place[:, which] = True, at
+    return exact, place[:, exact]
+
+
+def _corners(
+    rows: np.ndarray, low: np.ndarray, high: np.ndarray, dim: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return which segments touch with ends of both, within bounds of parameters, and where."""
+    ends = plain(rows[:, :, [0, -1]], dim)
+    exact, place = np.zeros(low.shape[1], bool), np.zeros(low.shape)
+    for one, two in product((0, 1), repeat=2):
+        at = np.array([[one], [two]])
+        apart = np.abs(ends[0, :, one] - ends[1, :, two]).max(axis=1)
+        here = (apart <= NOISE) & ((low <= at) & (at <= high)).all(axis=0)
+        exact, place = exact | here, np.where(here, at, place)
+    return exact, place[:, exact]
 
 
 def _one_of_each_contact(
@@ -98,16 +136,34 @@ def _one_of_each_contact(
 
     In a contact of high order, rounding leaves pieces open in several clusters.
     """
-    order = np.lexsort((places.at[0], places.pair))
-    places, distances = places.chosen(order), distances[order]
-    between = (places.at[:, 1:] + places.at[:, :-1]) / 2
-    reach = np.abs(np.diff(places.at, axis=1)) / 2
-    columns = _columns(rows, places.pair[1:])
-    apart = nearest_places(columns, between, reach, dim).distance > TOUCH
-    apart |= np.diff(places.pair) != 0
-    contact = np.cumsum(np.append(True, apart))[: len(places.pair)]
+    links = []
+    for side in (0, 1):  # neighbours on either segment
+        order = np.lexsort((places.at[side], places.pair))
+        one, two = order[:-1], order[1:]
+        gaps = np.abs(places.at[:, one] - places.at[:, two])
+        reach = np.where(np.argmax(gaps, axis=0) == [[0], [1]], 0, gaps / 2)
+        between = (places.at[:, one] + places.at[:, two]) / 2
+        solved = nearest_places(_columns(rows, places.pair[one]), between, reach, dim)
+        same = (places.pair[one] == places.pair[two]) & (solved.distance <= TOUCH)
+        links.append([one[same], two[same]])
+    contact = _connected(len(places.pair), *np.concatenate(links, axis=1))
     best = np.lexsort((distances, contact))
-    return places.chosen(best[np.diff(contact[best], prepend=0) > 0])
+    return places.chosen(best[np.diff(contact[best], prepend=-1) > 0])
+
+
+def _connected(count: int, one: np.ndarray, two: np.ndarray) -> np.ndarray:
+    """Return for each of `count` nodes the least one that links lead to.
+
+    >>> _connected(5, np.array([3, 1]), np.array([4, 3])).tolist()
+    [0, 1, 2, 1, 1]
+    """
+    least = np.arange(count)
+    while True:
+        before = least.copy()
+        np.minimum.at(least, one, before[two])
+        np.minimum.at(least, two, before[one])
+        if (least == before).all():
+            return least
 
 
 def _columns(rows: np.ndarray, pair: np.ndarray) -> np.ndarray:
