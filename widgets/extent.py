@@ -61,7 +61,8 @@ def _ranges(held: np.ndarray, drawn: np.ndarray) -> tuple[list[float], list[floa
     """Return ranges for movable points and what is drawn, as far as that is near to them."""
     if len(held):
         near = float(np.ptp(held, axis=0).max() / 4) or np.inf
-        drawn = np.clip(drawn, held.min(axis=0) - near, held.max(axis=0) + near)
+        beyond = (drawn < held.min(axis=0) - near) | (drawn > held.max(axis=0) + near)
+        drawn = drawn[~beyond.any(axis=1)]
     points = np.concatenate([held, drawn])
     points = points[np.isfinite(points).all(axis=1)]
     if not len(points):

@@ -23,6 +23,8 @@ _LOOKS: dict[str, dict[str, Any]] = {
     "path": {**_STEPS, "width": 2, "dashed": False, "fill": False, "closed": False, "pieces": None},
     "dots": {**_STEPS, "radius": 4},
     "arrows": {**_STEPS, "width": 2},
+    "hull": _STEPS,
+    "readout": {"since": 0, "until": None},
     "statement": {"since": 0, "until": None},
 }
 
@@ -88,9 +90,13 @@ class Marks:
         """Draw arrows, each a pair (from, to) of points."""
         self._mark("arrows", arrows, look, color=color)
 
-    def readout(self, label: str, expressions: Any) -> None:
-        """Show a number, or the coordinates of a point, below the drawing."""
-        self._mark("readout", expressions, {}, label=text(label, "label"))
+    def hull(self, points: Any, color: Colour = "construction", **look: Any) -> None:
+        """Fill the convex hull of points; looks are view, since, until."""
+        self._mark("hull", points, look, color=color)
+
+    def readout(self, label: str, expressions: Any, **look: Any) -> None:
+        """Show a number, or a point, below the drawing; looks are the steps since and until."""
+        self._mark("readout", expressions, look, label=text(label, "label"))
 
     def statement(self, label: str, residuals: Any, **look: Any) -> None:
         """Say whether residuals are exactly zero as the figure stands, or by how much they fail.

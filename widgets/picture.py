@@ -36,16 +36,19 @@ def draw(scene: dict[str, Any], state: dict[str, Any], step: int, theme: str = "
     for number, (axis, view) in enumerate(zip(axes, views, strict=True)):
         _frame(axis, view, theme)
         for order, mark in enumerate(scene["marks"]):
-            until = mark.get("until")
-            visible = mark.get("from", 0) <= step and (until is None or step <= until)
-            if mark.get("view") == number and visible:
+            if mark.get("view") == number and _visible(mark, step):
                 _KINDS[mark["kind"]](axis, mark, outputs[mark["output"]], theme, order)
         for group in scene["points"]:
-            if group["view"] == number:
+            if group["view"] == number and _visible(group, step):
                 _handles(axis, group, np.asarray(state[group["name"]]), theme)
     if scene["title"]:
         picture.suptitle(scene["title"], color=colour("curve", theme), fontsize=12)
     return picture
+
+
+def _visible(shown: dict[str, Any], step: int) -> bool:
+    until = shown.get("until")
+    return bool(shown.get("from", 0) <= step and (until is None or step <= until))
 
 
 def _frame(axis: Any, view: dict[str, Any], theme: str) -> None:
@@ -103,6 +106,33 @@ def _arrows(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, ord
         )  # fmt: skip
 
 
+def _hull(axis: Any, mark: dict[str, Any], output: np.ndarray, theme: str, order: int) -> None:
+    line = colour(mark["color"], theme)
+    axis.fill(*_convex_hull(output).T, facecolor=line + "22", edgecolor=line, linewidth=1.5,
+              zorder=2 + order / 1000)  # fmt: skip
+
+
+def _convex_hull(points: np.ndarray) -> np.ndarray:
+    """Return the corners of the convex hull, by Andrew's monotone chain.
+
+    >>> _convex_hull(np.array([[0, 0], [1, 1], [2, 0], [1, 3]])).tolist()
+    [[0, 0], [2, 0], [1, 3]]
+    """
+    corners: list[Any] = []
+    for ordered in (sorted(points.tolist()), sorted(points.tolist(), reverse=True)):
+        chain: list[Any] = []
+        for p in ordered:
+            while len(chain) > 1 and not _turns_left(chain[-2], chain[-1], p):
+                chain.pop()
+            chain.append(p)
+        corners += chain[:-1]
+    return np.array(corners)
+
+
+def _turns_left(a: Any, b: Any, c: Any) -> bool:
+    return bool((b[0] - a[0]) * (c[1] - a[1]) > (b[1] - a[1]) * (c[0] - a[0]))
+
+
 def _handles(axis: Any, group: dict[str, Any], points: np.ndarray, theme: str) -> None:
     """Draw movable points as squares, so that shape alone tells them from fixed ones."""
     colors = [colour(c, theme) for c in group["colors"]]
@@ -135,4 +165,6 @@ def _math(label: str) -> str:
     return f"${label}$" if _SCRIPTED.fullmatch(label) else label
 
 
-_KINDS: dict[str, Callable[..., None]] = {"path": _path, "dots": _dots, "arrows": _arrows}
+_KINDS: dict[str, Callable[..., None]] = {
+    "path": _path, "hull": _hull, "dots": _dots, "arrows": _arrows,
+}  # fmt: skip

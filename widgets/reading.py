@@ -17,8 +17,8 @@ _LARGEST = 1e12  # coordinates beyond lose the eighths that points snap to
 _ROLES = [role for role in PALETTE["light"] if role != "points"]
 # The shape of a mark's output; None stands for any number of rows.
 _SHAPES: dict[str, tuple[int | None, ...]] = {
-    "path": (None, 2), "dots": (None, 2), "arrows": (None, 2, 2), "scheme": (None, 2),
-    "weights": (None,),
+    "path": (None, 2), "hull": (None, 2), "dots": (None, 2), "arrows": (None, 2, 2),
+    "scheme": (None, 2), "weights": (None,),
 }  # fmt: skip
 
 

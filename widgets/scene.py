@@ -70,6 +70,8 @@ class Scene(Marks):
         snap: float | None = None,
         view: int = 0,
         along: str | None = None,
+        since: int = 0,
+        until: int | None = None,
     ) -> Points:
         """Add movable points and return their coordinates as pairs of symbols.
 
@@ -86,6 +88,7 @@ class Scene(Marks):
             (1/8 for a figure about 8 units wide), so that their coordinates are exact.
         along : "x", optional
             Points move to the left and right only, as knots on an axis do.
+        since, until : steps at which they are there
 
         Raises
         ------
@@ -98,7 +101,7 @@ class Scene(Marks):
         self._refuse_taken(name, [symbol.name for pair in symbols for symbol in pair])
         labels = labels or [f"{name}_{{{i}}}" if i > 9 else f"{name}_{i}" for i in numbers]
         self._points.append({
-            "name": name, "view": self._view_number(view),
+            "name": name, "view": self._view_number(view), "from": since, "until": until,
             "labels": read_labels(labels, len(rows)),
             "colors": colours(numbers if colors is None else colors, len(rows)),
             "values": rows.tolist(),

@@ -1,5 +1,6 @@
 """Explorers: functions that build a scene and return it as a live figure, one per topic."""
 
+from .bezier_properties import bezier_properties
 from .blossom import blossom
 from .bspline import bspline
 from .continuity import continuity
@@ -12,6 +13,7 @@ from .rational import rational
 from .subdivision import subdivision
 
 __all__ = [
+    "bezier_properties",
     "blossom",
     "bspline",
     "continuity",

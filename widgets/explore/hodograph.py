@@ -132,7 +132,12 @@ def _draw_special(scene: Scene, b: Any, d: Any, side: int) -> None:
     square = e[1] ** 2 - e[0] * e[2]
     for sign in (1, -1):
         s = -(e[1] + sign * sp.sqrt(square)) / e[2]
-        t = s / (1 + s) / sp.Heaviside(s, 1) / (1 - sp.Heaviside(-square, 1))
+        t = (
+            s
+            / (1 + s)
+            / sp.Heaviside(s, 1, evaluate=False)
+            / (1 - sp.Heaviside(-square, 1, evaluate=False))
+        )
         point, v = (de_casteljau(p, t)[-1][0] for p in (b, d))
         scene.polyline([(0, 0), v], color="accent", dashed=True, view=side, since=_SPECIAL)
         for where, view in ((point, 0), (v, side)):

@@ -50,7 +50,7 @@ export function listenForDrags({ store, life }, drawing, handles, react) {
       const [x, y] = store.state.points[handle.group][handle.index];
       return Math.hypot(map.sx * x + map.ox - px, map.sy * y + map.oy - py);
     };
-    return handles.reduce((best, handle) => (distance(handle) <= distance(best) ? handle : best));
+    return handles.filter(({ hidden }) => !hidden).reduce((best, handle) => (distance(handle) <= distance(best) ? handle : best));
   }
 
   const isOnHandle = (/** @type {Event} */ event) =>

@@ -8,6 +8,7 @@
 import { svg } from "./dom.js";
 import { listenForDrags } from "./drag.js";
 import { listenForNudges } from "./nudges.js";
+import { presence } from "./marks.js";
 import { freeStep } from "./snap.js";
 import { format, spoken } from "./text.js";
 import { cssColour } from "./theme.js";
@@ -28,6 +29,7 @@ import { cssColour } from "./theme.js";
  * @property {string} name   as spoken
  * @property {number} step   of snapping and nudging
  * @property {import("./labels.js").Label} label
+ * @property {boolean} hidden  at this step
  */
 
 const TOUCH = 22; // radius: a finger needs 44 px
@@ -47,7 +49,7 @@ function createHandle(/** @type {Drawing} */ drawing, /** @type {import("./scene
   svg("rect", { class: "body", x: -BODY, y: -BODY, width: 2 * BODY, height: 2 * BODY, rx: 3 }),
   svg("circle", { class: "core", r: 2.5 }));
   return { element, group: group.name, index, name: spoken(text), step: group.snap ?? freeStep(...drawing.view.x),
-    label: drawing.labels.add(text, colour, 0, RING) };
+    label: drawing.labels.add(text, colour, 0, RING), hidden: false };
 }
 
 /**
@@ -110,9 +112,27 @@ export function createHandles(figure, drawing) {
   });
   roving(handles[0], false);
 
+  /** Handles come and go with the steps; the tab stop is one that is there. */
+  function comeAndGo() {
+    let changed = false;
+    for (const handle of handles) {
+      const group = scene.points.find(({ name }) => name === handle.group);
+      const hidden = !presence(group ?? {}, store.state.step).shown;
+      if (hidden === handle.hidden) continue;
+      changed = true;
+      handle.hidden = hidden;
+      handle.label.wanted = false;
+      handle.element.toggleAttribute("hidden", hidden);
+      if (hidden && handle === selected) select(null);
+    }
+    if (changed) roving(handles.find(({ hidden }) => !hidden), false);
+  }
+
   function update() {
     const { map, labels } = drawing;
+    comeAndGo();
     for (const handle of handles) {
+      if (handle.hidden) continue;
       const [x, y] = at(handle);
       const [px, py] = [map.sx * x + map.ox, map.sy * y + map.oy];
       handle.label.x = px;

@@ -146,11 +146,46 @@ function arrows(mark, output, labels) {
   };
 }
 
+/** Write the corners of the convex hull, by Andrew's monotone chain; the first one also fills up what is left. */
+export function convexHull(/** @type {Float64Array} */ values, /** @type {Float64Array} */ corners) {
+  const points = Array.from({ length: values.length / 2 }, (_, i) => [values[2 * i], values[2 * i + 1]])
+    .sort((p, q) => p[0] - q[0] || p[1] - q[1]);
+  const half = () => {
+    /** @type {number[][]} */
+    const chain = [];
+    for (const p of points) {
+      for (;;) {
+        const [a, b] = chain.slice(-2);
+        if (!b || (b[0] - a[0]) * (p[1] - a[1]) > (b[1] - a[1]) * (p[0] - a[0])) break;
+        chain.pop();
+      }
+      chain.push(p);
+    }
+    points.reverse();
+    return chain.slice(0, -1);
+  };
+  const hull = [...half(), ...half()];
+  for (let i = 0; i < points.length; i++) corners.set(hull[i] ?? hull[0], 2 * i);
+}
+
+/** @type {Renderer} */
+function hull(mark, output, labels) {
+  const corners = { ...output, values: new Float64Array(output.size) };
+  const { nodes, update } = path({ ...mark, fill: true, closed: true }, corners, labels);
+  return {
+    nodes,
+    update(map, shown) {
+      if (shown) convexHull(output.values, corners.values);
+      update(map, shown);
+    },
+  };
+}
+
 /** @type {Record<string, Renderer>} */
-export const DRAWING_MARKS = { path, dots, arrows };
+export const DRAWING_MARKS = { path, hull, dots, arrows };
 
 /** Is a mark there at this step, and is it what the step adds? (Not if it goes again with it.) */
-export function presence(/** @type {Mark} */ mark, /** @type {number} */ step) {
+export function presence(/** @type {{from?: number, until?: number | null}} */ mark, /** @type {number} */ step) {
   const from = mark.from ?? 0;
   const until = mark.until ?? Infinity;
   return { shown: step >= from && step <= until, active: from > 0 && step === from && until > from };

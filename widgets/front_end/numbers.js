@@ -25,12 +25,16 @@ function movableRow(/** @type {Figure} */ { scene, store, life, say },
       say(`${spoken(text)} at ${point().map((v) => format(v)).join(", ")}`);
     },
   }));
+  const rows = [
+    html("tr", { class: "movable" }, name(text), ...fields.map(({ input }) => html("td", {}, input))),
+    html("tr", {}, html("td", { class: "messages", colspan: 3 }, ...fields.map(({ message }) => message))),
+  ];
   return {
-    rows: [
-      html("tr", { class: "movable" }, name(text), ...fields.map(({ input }) => html("td", {}, input))),
-      html("tr", {}, html("td", { class: "messages", colspan: 3 }, ...fields.map(({ message }) => message))),
-    ],
-    update: () => fields.forEach((field, c) => field.show(point()[c])),
+    rows,
+    update() {
+      for (const row of rows) row.hidden = !presence(group, store.state.step).shown;
+      fields.forEach((field, c) => field.show(point()[c]));
+    },
   };
 }
 

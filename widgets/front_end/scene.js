@@ -27,6 +27,8 @@
  * @property {[number, number][]} values
  * @property {number | null} snap
  * @property {"x" | null} along  the direction they move in; null: everywhere
+ * @property {number} from          first step that has them
+ * @property {number | null} until
  *
  * @typedef {object} Slider
  * @property {string} name
