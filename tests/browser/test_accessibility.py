@@ -24,7 +24,15 @@ def press(figure: Locator, key: str) -> str:
 
 
 @pytest.mark.parametrize(
-    "name", ["blossom", "de_casteljau", "hodograph", "kochanek_bartels", "subdivision"]
+    "name",
+    [
+        "bezier_properties",
+        "blossom",
+        "de_casteljau",
+        "hodograph",
+        "kochanek_bartels",
+        "subdivision",
+    ],
 )
 @pytest.mark.parametrize("theme", ["light", "dark"])
 def test_axe_finds_nothing_serious(show: Show, name: str, theme: str) -> None:
