@@ -65,6 +65,19 @@ class Speed(NamedTuple):
         mean: np.ndarray = weights @ self.of(basis @ rows.transpose(2, 1, 0))
         return mean
 
+    def noise(self, rows: np.ndarray) -> np.ndarray:
+        """Return the mean rounding error of the speed: N' - N w'/w cancels where the curve rests.
+
+        The curve is of size 1, so that the error is some roundings of w'/w.
+        """
+        if not self.rational:
+            return np.zeros(len(rows))
+        half = rows.shape[2] // 2
+        basis, weights = _gauss(rows.shape[1] - 1)
+        w, dw = basis @ rows[..., [half - 1, -1]].transpose(2, 1, 0)
+        mean: np.ndarray = weights @ np.abs(dw / w)
+        return ROUNDING * mean
+
     def bound_if_vanishing(self, rows: np.ndarray) -> np.ndarray:
         """Return a bound of the mean speed where the velocity may vanish, elsewhere 0.
 
@@ -120,6 +133,7 @@ def _halved(speeds: Speed, chosen: slice, tolerance: float) -> list[tuple[np.nda
         halves = np.concatenate(form.split(rows))
         both = speeds.means(halves).reshape(2, -1)
         mean = both.sum(axis=0) / 2
+        allowed = np.maximum(allowed, speeds.noise(rows))
         open_ = np.abs(whole - mean) > np.maximum(allowed, ROUNDING * mean)
         open_ |= speeds.bound_if_vanishing(rows) > allowed
         if depth == DEEPEST:

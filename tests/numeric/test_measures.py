@@ -453,3 +453,13 @@ def test_arc_length_over_weights_of_very_different_sizes():
     assert uneven.length() == pytest.approx(parabola.length(), rel=1e-12)
     expected = parabola(parabola.parameters_by_arc_length(9))
     np.testing.assert_allclose(uneven(uneven.parameters_by_arc_length(9)), expected, atol=1e-10)
+
+
+@pytest.mark.parametrize("weight", [1e5, 1e10, 1e14])
+def test_a_curve_that_rests_at_a_heavy_point_has_a_length(weight):
+    """It runs along both legs in no time, and nearly stands still at the point between."""
+    legs = np.sqrt(10)
+    curve = Curve.from_bezier([[0, 0], [1, 3], [2, 0]], weights=[1, weight, 1])
+    assert 2 * legs * (1 - 20 / weight) <= curve.length() <= 2 * legs * (1 + 1e-12)
+    t = curve.parameters_by_arc_length(5)
+    assert (np.diff(t) >= 0).all() and t[2] == pytest.approx(0.5, abs=0.05)
