@@ -255,5 +255,5 @@ def test_shared_points_of_high_degree_are_walked_once(symbolic):
     sp.Derivative(t**2, t),
 ])  # fmt: skip
 def test_what_is_no_polynomial_is_refused(expression):
-    with pytest.raises(BadValue, match="Expected a polynomial in t, received"):
+    with pytest.raises(BadValue, match="Expected a polynomial in t"):
         blossom(a * expression + 1)
