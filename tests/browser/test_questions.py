@@ -69,5 +69,6 @@ def test_one_question_a_step_and_polynomials_are_proved(show: Show) -> None:
     expect(answer(figure, "3t - 6t^2 + 3t^3")).to_contain_text("Right: equal at 4 values of t")
     expect(figure.get_by_label("And 1/2 + 1/3?", exact=True)).to_be_hidden()
     button(figure, "Step forward").click()
+    expect(figure.get_by_label("And 1/2 + 1/3?", exact=True)).to_be_visible()
     expect(answer(figure, "0.8333333")).to_contain_text("Not yet")
     expect(answer(figure, "5/6")).to_contain_text("Right")
