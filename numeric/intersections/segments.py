@@ -18,7 +18,7 @@ from .shared import Shared
 from .subdivision import subdivided
 from .touching import are_points, places_of_points
 
-BATCH = 2048  # pairs of segments at a time
+BATCH = 2048  # pairs of cubic segments at a time; of degree n, with n^2 in proportion
 
 
 class SegmentIntersections(NamedTuple):
@@ -114,9 +114,10 @@ def places_and_arcs(
     degree = max(first.shape[1], second.shape[1], 2) - 1
     sides = [elevate(rows, degree + 1 - rows.shape[1]) for rows in (first, second)]
     places, arcs = [Places.none()], [Shared.none()]
-    for start in range(0, len(pairs[0]), BATCH):
+    size = max(1, 9 * BATCH // max(3, degree) ** 2)
+    for start in range(0, len(pairs[0]), size):
         chosen = zip(sides, pairs, strict=True)
-        batch = np.stack([rows[k[start : start + BATCH]] for rows, k in chosen])
+        batch = np.stack([rows[k[start : start + size]] for rows, k in chosen])
         batch, c = balanced(batch, dim)
         batch = moderate(batch, dim)
         point = are_points(batch, dim)

@@ -18,13 +18,12 @@ SHORTEST = 2.0**-26  # parameters of touching places that may be one
 SLOW = 1e-3  # part of the greatest speed: so near to a cusp, places are as good as at it
 
 
-def touching_places(rows: np.ndarray, open_: list[Pairs], dim: int) -> Places:
-    """Return the nearest places of what is open at last, if the segments touch there."""
-    parts = [_of_clusters(rows, pairs, dim) for pairs in open_ if len(pairs.origin)]
-    if not parts:
+def touching_places(rows: np.ndarray, found: list[tuple[Places, np.ndarray]], dim: int) -> Places:
+    """Return every place that `nearest_of_clusters` found once, and whether tangents differ."""
+    if not found:
         return Places.none()
-    places = Places.all_of([found for found, _ in parts])
-    distances = np.concatenate([distance for _, distance in parts])
+    places = Places.all_of([places for places, _ in found])
+    distances = np.concatenate([distance for _, distance in found])
     places = _one_of_each_contact(rows, places, distances, dim)
     slopes = point_and_slopes(_columns(rows, places.pair), places.at, dim)[1]
     sizes = np.sqrt((slopes**2).sum(axis=0))
@@ -76,8 +75,14 @@ def places_of_points(rows: np.ndarray, point: np.ndarray, dim: int) -> Places:
     return Places.all_of(parts).single()
 
 
+def nearest_of_clusters(
+    rows: np.ndarray, parts: list[Pairs], dim: int
+) -> list[tuple[Places, np.ndarray]]:
+    """Return where pieces that hang together are nearest, if they touch, and the distances."""
+    return [_of_clusters(rows, pairs, dim) for pairs in parts if len(pairs.origin)]
+
+
 def _of_clusters(rows: np.ndarray, pairs: Pairs, dim: int) -> tuple[Places, np.ndarray]:
-    """Return one touching place of pieces that hang together, and the distance there."""
     cluster = clusters(pairs.origin, pairs.start, np.full(pairs.start.shape, 0.75 * pairs.width))
     _, first, cluster = np.unique(cluster, return_index=True, return_inverse=True)
     low, high = np.full((2, len(first)), 1.0), np.zeros((2, len(first)))
