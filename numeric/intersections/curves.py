@@ -82,7 +82,8 @@ def intersect(curve: Curve, other: Curve) -> Intersections:
 
     An arc in common is found by its ends, where one of the segments ends or turns back. Of curves
     that halt more than forty times where they meet, arcs that end at a halt are not told; a place
-    on them is, as touching.
+    on them is, as touching. Where a curve of several segments runs over the same points more than
+    once, its arcs may be told segment by segment.
 
     Examples
     --------

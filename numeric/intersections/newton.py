@@ -59,6 +59,8 @@ def crossings(rows: np.ndarray, width: float, dim: int) -> tuple[np.ndarray, Sol
         points = point_and_slopes(columns, at, dim)[0]
         distance = np.sqrt(((points[:, 0] - points[:, 1]) ** 2).sum(axis=0))
         met = (settled & inside).all(axis=0) & (distance <= 4 * NOISE)
+        degree = rows.shape[2] - 1  # steps to a root of this order are so many times too short
+        error = np.maximum(error, degree * distance * lengths)
     return met, Solved(at[:, met], error[:, met], distance[met], sine[met] > TANGENT)
 
 

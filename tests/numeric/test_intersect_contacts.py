@@ -109,6 +109,15 @@ def test_a_slow_end_is_one_place(degree):
             assert (found.distance <= 1e-13).all()
 
 
+def test_the_slow_end_of_a_closed_curve_is_its_start():
+    line = Curve.from_bezier([[1, 1], [0, 0], [0, 1]])
+    closed = Curve.from_bezier([[0, 1], [1, 0], [0, 1], [1, 0], [0, 1], [0, 1]])
+    for first in (line, line.elevate(2), line.elevate(5)):
+        found = first.intersect(closed)
+        np.testing.assert_allclose(found.t, [1 / 3, 1 / 3, 1], rtol=0, atol=1e-12)
+        assert found.s[-1] == 0 and found.transversal.all()
+
+
 @pytest.mark.parametrize("order", [2, 3, 4, 12])
 @pytest.mark.parametrize("height", [1e-6, 1e-9, 1e-12])
 def test_near_misses_and_two_crossings(order, height):

@@ -8,8 +8,8 @@ import sympy as sp
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
-from numeric import Curve, intersect_segments
-from symbolic import BadType, BadValue, circle
+from numeric import Curve
+from symbolic import circle
 
 t, s = sp.symbols("t s")
 seeds = st.integers(0, 2**32 - 1)
@@ -130,39 +130,6 @@ def test_order_direction_scale_and_place_do_not_matter(seed, scale, rational):
     assert (moved[0].intersect(moved[1]).distance <= 1e-13 * 10 * scale).all()
 
 
-@settings(max_examples=40, deadline=None)
-@given(seeds, st.integers(2, 12), st.booleans())
-def test_a_line_meets_a_curve_where_a_long_segment_does(seed, degree, rational):
-    random = np.random.default_rng(seed)
-    weights = random.uniform(0.3, 3, (3, degree + 1)) if rational else None
-    curve = Curve.from_bezier(random.normal(size=(3, degree + 1, 2)), (0, 2), weights)
-    point, direction = random.normal(size=(2, 2))
-    by_line = curve.intersect_line(point, direction)
-    ends = point + np.outer([-20, 20], direction / np.linalg.norm(direction))
-    by_segment = curve.intersect(Curve.from_bezier(ends))
-    np.testing.assert_allclose(by_line.t, by_segment.t, rtol=0, atol=1e-7)
-    np.testing.assert_allclose(
-        point + by_line.s[:, None] * direction, by_line.points, rtol=0, atol=1e-10
-    )
-
-
-@settings(max_examples=20, deadline=None)
-@given(seeds, st.integers(1, 7))
-def test_a_line_meets_a_curve_at_real_roots(seed, degree):
-    random = np.random.default_rng(seed)
-    points = random.integers(-9, 10, (degree + 1, 2))
-    a, b, c = (int(k) for k in random.integers(-5, 6, 3))
-    assume(a or b)
-    heights = [a * int(x) + b * int(y) - c for x, y in points]
-    f = sp.Poly(sum(sp.binomial(degree, i) * t**i * (1 - t) ** (degree - i) * h
-                    for i, h in enumerate(heights)), t)  # fmt: skip
-    assume(not f.is_zero)
-    expected = [float(r) for r in sorted(set(f.real_roots())) if 0 <= r <= 1] if f.degree() else []
-    point = np.array([a, b]) * c / (a * a + b * b)
-    found = Curve.from_bezier(points).intersect_line(point, [-b, a])
-    np.testing.assert_allclose(found.t, expected, rtol=0, atol=1e-7)
-
-
 def test_circles():
     for angle in np.linspace(0, 6, 20):
         shift = np.array([np.cos(angle), np.sin(angle)])
@@ -236,61 +203,6 @@ def test_cusps_double_points_and_joints():
     assert ends.t == 1 and ends.s == 0 and ends.transversal.all()
 
 
-@pytest.mark.parametrize("size", [0.3, 1e-2, 1e-3])
-def test_a_small_loop_is_found_though_a_curve_lies_on_itself(size):
-    loop = Curve.from_expressions([t**2, t**3 - size**2 * t], t, (-1, 1))
-    found = loop.intersect(loop)
-    np.testing.assert_allclose(found.t, [-size, size], rtol=0, atol=1e-10)
-    assert found.transversal.all() and len(found.shared) == 1
-
-
-@settings(max_examples=30, deadline=None)
-@given(seeds, st.integers(1, 6), st.booleans(), st.booleans())
-def test_arcs_in_common_are_told(seed, degree, rational, reverse):
-    random = np.random.default_rng(seed)
-    weights = random.uniform(0.5, 2, degree + 1) if rational else None
-    points = np.cumsum(random.uniform(0.2, 1, (degree + 1, 2)), axis=0)  # without double points
-    whole = Curve.from_bezier(points, weights=weights)
-    a, b, c, d = np.sort(random.random(4))
-    assume(np.diff([a, b, c, d]).min() > 0.01)
-    inner, outer = whole.restrict(b, d), whole.restrict(a, c)
-    if reverse:
-        outer = outer.reverse()
-    found = inner.intersect(outer)
-    assert len(found.t) == 0 and found.shared.shape == (1, 2, 2)
-    (t0, s0), (t1, s1) = found.shared[0]
-    np.testing.assert_allclose(inner([t0, t1]), whole([b, c]), rtol=0, atol=1e-11)
-    np.testing.assert_allclose(outer([s0, s1]), whole([b, c]), rtol=0, atol=1e-11)
-    touch = whole.restrict(a, b).intersect(whole.restrict(b, d))
-    assert len(touch.t) == 1 and not touch.transversal.any() and not len(touch.shared)
-    apart = whole.restrict(a, b).intersect(whole.restrict(c, d))
-    assert len(apart.t) == 0 and not len(apart.shared)
-
-
-def test_closed_curves_that_coincide():
-    for other in (CIRCLE, CIRCLE.reverse(), CIRCLE.transform([[0.8, -0.6], [0.6, 0.8]])):
-        found = CIRCLE.intersect(other)
-        assert len(found.t) == 0
-        assert np.diff(found.shared[..., 0], axis=1).sum() == pytest.approx(1)
-        for (t0, s0), (t1, s1) in found.shared:
-            np.testing.assert_allclose(CIRCLE([t0, t1]), other([s0, s1]), rtol=0, atol=1e-12)
-
-
-def test_collinear_lines():
-    for points, shared in (
-        ([[0.25, 0], [0.75, 0]], [[0.25, 0], [0.75, 1]]),
-        ([[1.5, 0], [0.5, 0]], [[0.5, 1], [1, 0.5]]),
-        ([[-1, 0], [2, 0]], [[0, 1 / 3], [1, 2 / 3]]),
-    ):
-        found = LINE.intersect(Curve.from_bezier(points))
-        assert len(found.t) == 0
-        np.testing.assert_allclose(found.shared, [shared], rtol=0, atol=1e-12)
-    assert len(LINE.intersect(Curve.from_bezier([[1.1, 0], [2, 0]])).t) == 0
-    along = LINE.intersect_line([3, 0], [-2, 0])
-    assert len(along.t) == 0
-    np.testing.assert_allclose(along.shared, [[[0, 1.5], [1, 1]]])
-
-
 def test_polylines_of_many_segments():
     random = np.random.default_rng(5)
     walks = random.integers(-(10**6), 10**6, (2, 401, 2))
@@ -311,93 +223,6 @@ def test_polylines_of_many_segments():
     assert sorted(pairs.tolist()) == np.argwhere(cross).tolist()
 
 
-def test_batches_agree_with_single_pairs():
-    random = np.random.default_rng(3)
-    first, second = random.random((2, 3000, 4, 2))
-    second[5] = first[5]
-    second[7], first[9] = second[7, 0], first[9, 0]
-    second[11, 0] = first[11, 0]
-    found = intersect_segments(first, second)
-    assert len(found.pair) > 2000 and found.distance.max() <= 1e-14
-    assert (np.diff(found.pair) >= 0).all() and 5 in found.shared_pair
-    for k in range(30):
-        one = Curve.from_bezier(first[k]).intersect(Curve.from_bezier(second[k]))
-        own = found.pair == k
-        np.testing.assert_allclose(found.u[own], one.t, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(found.v[own], one.s, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(found.shared[found.shared_pair == k], one.shared)
-
-
-shapes = st.sampled_from(["random", "point", "line", "repeated", "folded", "closed", "grid"])
-
-
-def hostile(shape, random, degree, segments, dim):
-    rows = random.normal(size=(segments, degree + 1, dim))
-    if shape == "grid":
-        rows = random.integers(-1, 2, rows.shape).astype(float)
-    if shape == "point":
-        rows[:] = rows[:1, :1]
-    if shape in ("line", "folded"):
-        along = np.sort if shape == "line" else np.asarray
-        rows = along(random.normal(size=(segments, degree + 1, 1)), **(
-            {"axis": 1} if shape == "line" else {})) * np.ones(dim)  # fmt: skip
-    if shape == "repeated":
-        rows = np.repeat(rows[:1], segments, axis=0)
-        rows[:, : (degree + 1) // 2] = rows[:, :1]
-    if shape == "closed":
-        rows[:, -1] = rows[:, 0]
-    return rows
-
-
-@settings(max_examples=35, deadline=None)
-@given(seeds, shapes, shapes, st.integers(0, 8), st.integers(1, 4), st.integers(2, 3),
-       st.booleans(), st.sampled_from([1e-150, 1.0, 1e150]))  # fmt: skip
-def test_hostile_curves_give_few_and_true_places(
-    seed, shape, other_shape, degree, segments, dim, rational, scale
-):
-    random = np.random.default_rng(seed)
-    curves = []
-    for kind in (shape, other_shape):
-        rows = hostile(kind, random, degree, segments, dim)
-        weights = random.uniform(0.2, 4, rows.shape[:2]) if rational else None
-        curves.append(Curve.from_bezier(rows * scale, weights=weights))
-    first, second = curves
-    for a, b in ((first, second), (first, first)):
-        found = a.intersect(b)
-        size = max(np.abs(a.points).max(), np.abs(b.points).max()) or 1
-        assert len(found.t) <= 8 * max(degree, 1) ** 2 * segments**2
-        assert len(found.shared) <= 8 * max(degree, 1) * segments**2
-        assert (found.distance <= 2e-13 * size).all()
-        np.testing.assert_allclose(a(found.t) / size, found.points / size, rtol=0, atol=1e-12)
-        np.testing.assert_allclose(
-            a(found.shared[..., 0]) / size, b(found.shared[..., 1]) / size, rtol=0, atol=1e-11
-        )
-        assert (np.diff(found.t) >= 0).all()
-    if dim == 2:
-        point, direction = random.integers(-1, 2, (2, 2)) * scale
-        assume(direction.any())
-        found = first.intersect_line(point, direction)
-        assert len(found.t) <= (degree + 1) * segments and (np.diff(found.t) >= 0).all()
-        size = np.abs(first.points).max() + np.abs(point).max()
-        assert (found.distance <= 1e-13 * (size or 1)).all()
-        np.testing.assert_allclose(
-            (point + found.s[:, None] * direction) / (size or 1), found.points / (size or 1),
-            rtol=0, atol=1e-12,
-        )  # fmt: skip
-
-
-def test_points_and_standing_segments():
-    point = Curve.from_bezier([[0.5, 0]])
-    found = LINE.intersect(point)
-    assert found.t == 0.5 and found.distance == 0 and not found.transversal.any()
-    assert len(point.intersect(point).t) == 1
-    assert len(point.intersect(Curve.from_bezier([[0.5, 1]])).t) == 0
-    stays = np.zeros((200, 4, 2))
-    assert len(Curve.from_bezier(stays).intersect(Curve.from_bezier(stays)).t) == 1
-    halting = Curve.from_bezier([[[0, 1], [0.5, 0]], [[0.5, 0], [0.5, 0]], [[0.5, 0], [1, 1]]])
-    assert len(halting.intersect(Curve.from_bezier([[0, 0.5], [1, 0.5]])).t) == 2
-
-
 def test_nearly_parallel_curves_are_resolved():
     bow = Curve.from_expressions([t, t**2], t, (-1, 1))
     for slope in (1e-3, 1e-5, 1e-7):
@@ -406,26 +231,3 @@ def test_nearly_parallel_curves_are_resolved():
         found = bow.intersect(tilted)
         assert len(found.t) == 1
         np.testing.assert_allclose(found.t, 1 / 3, rtol=0, atol=1e-14 / slope)
-
-
-def test_bad_input():
-    for wrong in (None, 3, [[0, 0], [1, 1]]):
-        with pytest.raises(BadType):
-            LINE.intersect(wrong)
-    with pytest.raises(BadValue):
-        LINE.intersect(Curve.from_bezier([[0, 0, 0], [1, 1, 1]]))
-    flat = Curve.from_bezier([[0], [1]])
-    with pytest.raises(BadValue):
-        flat.intersect(flat)
-    for point, direction in (([0, 0], [0, 0]), ([0], [1, 0]), ([0, np.nan], [1, 0]),
-                             ([0, 0], [np.inf, 0])):  # fmt: skip
-        with pytest.raises(BadValue):
-            LINE.intersect_line(point, direction)
-    with pytest.raises(BadType):
-        LINE.intersect_line("here", [1, 0])
-    with pytest.raises(BadValue):
-        Curve.from_bezier([[0, 0, 0], [1, 1, 1]]).intersect_line([0, 0], [1, 0])
-    for first, second in (([LINE.rows[0]], [LINE.rows[0]] * 2), ([[[0, 0]]], [[[0, 0, 0]]]),
-                          ([[[0], [1]]], [[[0], [1]]]), ([[[0, np.nan]]], [[[0, 0]]])):  # fmt: skip
-        with pytest.raises(BadValue):
-            intersect_segments(first, second)
