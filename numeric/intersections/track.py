@@ -8,6 +8,7 @@ import numpy as np
 
 from ..curves.pieces import MEETING
 from ..measures.scale import parameters
+from .places import SAME
 from .shared import SHORT
 
 if TYPE_CHECKING:
@@ -55,7 +56,7 @@ class Track(NamedTuple):
         self, segment: np.ndarray, u: np.ndarray, error: np.ndarray
     ) -> tuple[np.ndarray, np.ndarray]:
         """Return segment and u with the end of a closed curve told as its start."""
-        seam = self.along(segment, u) >= self.length - np.minimum(error, SHORT)
+        seam = self.along(segment, u) >= self.length - np.clip(error, SAME, SHORT)
         seam &= self.closed
         return np.where(seam, 0, segment), np.where(seam, 0, u)
 

@@ -3,6 +3,7 @@
 from fractions import Fraction
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -138,6 +139,13 @@ def test_a_line_meets_a_polyline_where_fractions_say(walk, p, q, scale, by, weig
             np.testing.assert_allclose(
                 curve(t), p + s * speed * np.array(direction), rtol=0, atol=1e-12
             )
+
+
+def test_a_seam_that_is_found_a_rounding_off_is_one_place():
+    closed = polyline([(1, 1), (1, 0), (1, 1)]).transform(1e-100)
+    assert closed.intersect_line([0, 0], [1e-109, 1e-109]).t.tolist() == pytest.approx(
+        [0], abs=1e-12
+    )
 
 
 def test_a_fold_ends_an_arc():
