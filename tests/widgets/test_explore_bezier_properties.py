@@ -8,18 +8,10 @@ from hypothesis import strategies as st
 from numeric import Tape, compile_tape
 from symbolic import BadValue
 from tests.widgets.test_explore_continuity import inputs, verdicts
-from tests.widgets.test_questions import Checker
 from widgets import explore
 from widgets.explore.bezier_properties import AFFINE, HULL, LINE, changes, crossings
 from widgets.extent import evaluate
 from widgets.picture import _convex_hull
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 @pytest.fixture(scope="module")

@@ -10,20 +10,12 @@ from numeric import Tape
 from symbolic import BadValue, bernstein, check_blossom
 from symbolic import blossom as blossom_of
 from tests.widgets.test_explore_continuity import inputs
-from tests.widgets.test_questions import Checker
 from widgets import explore
 from widgets.explore.blossom import known_mistakes
 from widgets.extent import evaluate
 
 t = sp.Symbol("t")
 CUBIC = t**3 - 6 * t**2 + 3 * t
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def oracle(fig):

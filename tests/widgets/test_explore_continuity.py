@@ -7,15 +7,7 @@ import pytest
 import sympy as sp
 
 from symbolic import BadValue, continuity_at
-from tests.widgets.test_questions import Checker
 from widgets import explore
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def inputs(fig):

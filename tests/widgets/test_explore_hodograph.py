@@ -7,19 +7,11 @@ import sympy as sp
 from numeric import Tape
 from symbolic import BadValue, de_casteljau
 from tests.widgets.test_explore_continuity import inputs
-from tests.widgets.test_questions import Checker
 from widgets import explore
 from widgets.extent import evaluate
 
 S_SHAPE = [[0, 0], [5, 5], [2, 4], [8, 1]]
 t = sp.Symbol("t")
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def outputs(fig):

@@ -8,17 +8,9 @@ import pytest
 from numeric import Curve, Tape
 from symbolic import BadValue, BSpline
 from tests.widgets.test_explore_continuity import inputs
-from tests.widgets.test_questions import Checker
 from widgets import explore
 from widgets.explore.knot_insertion import KNOTS
 from widgets.extent import evaluate
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def paths(fig, since):

@@ -6,18 +6,10 @@ import pytest
 from numeric import Tape
 from symbolic import BadValue
 from tests.widgets.test_explore_continuity import inputs, verdicts
-from tests.widgets.test_questions import Checker
 from widgets import explore
 from widgets.extent import evaluate
 
 SETTINGS = [(0, 0, 0), (0.5, 0, 0), (0.25, -0.5, 0.75), (-1, 1, 1), (1, 0.5, -1), (0, -1, 0)]
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def at(settings, *points):

@@ -7,16 +7,8 @@ import sympy as sp
 from numeric import Curve, Tape
 from symbolic import BadValue, RationalBezier
 from tests.widgets.test_explore_continuity import inputs
-from tests.widgets.test_questions import Checker
 from widgets import explore
 from widgets.extent import evaluate
-
-
-@pytest.fixture(scope="module")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def outputs(fig):

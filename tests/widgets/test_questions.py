@@ -1,7 +1,5 @@
 """Answers are checked exactly in the browser's code; SymPy says what is right."""
 
-import json
-import subprocess
 from fractions import Fraction
 from pathlib import Path
 
@@ -15,29 +13,6 @@ from widgets import Scene
 
 HERE = Path(__file__).parent
 t, s = sp.symbols("t s")
-
-
-class Checker:
-    """The browser's check, run by Node."""
-
-    def __init__(self, node):
-        script = HERE.parent / "front_end" / "check_answers.mjs"
-        self.process = subprocess.Popen(
-            [node, str(script)], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
-        )
-
-    def __call__(self, question, text, inputs=None):
-        request = {"question": question, "text": text, "inputs": inputs or {}}
-        self.process.stdin.write(json.dumps(request) + "\n")
-        self.process.stdin.flush()
-        return json.loads(self.process.stdout.readline())
-
-
-@pytest.fixture(scope="session")
-def checker(node):
-    found = Checker(node)
-    yield found
-    found.process.communicate(timeout=10)
 
 
 def question(answer, variables=(), **more):
