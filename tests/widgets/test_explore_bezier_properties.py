@@ -5,12 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from numeric import Tape, compile_tape
+from numeric import compile_tape
 from symbolic import BadValue
-from tests.widgets.test_explore_continuity import inputs, verdicts
+from tests.widgets.explored import inputs, shown_marks, verdicts
 from widgets import explore
 from widgets.explore.bezier_properties import AFFINE, HULL, LINE, changes, crossings
-from widgets.extent import evaluate
 from widgets.picture import _convex_hull
 
 
@@ -20,11 +19,6 @@ def counting():
 
     s = sp.symbols("s:4")
     return compile_tape({"polygon": changes(s), "curve": crossings(s)}, list(s))
-
-
-def outputs(fig):
-    found = evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
-    return [(mark, found[mark["output"]]) for mark in fig.scene["marks"]]
 
 
 def sampled_changes(s):
@@ -78,7 +72,7 @@ def test_the_image_of_the_curve_is_the_curve_of_the_images(checker):
     fig["F"] = [[1, 1], [2, -1], [0.5, 4]]
     assert verdicts(fig, checker) == {"Φ(c(t)) on the curve of Φ(b_i)": True}
     wide, thin = (
-        values for mark, values in outputs(fig)
+        values for mark, values in shown_marks(fig)
         if mark["kind"] == "path" and mark["axis"] is not None and mark["from"] == AFFINE
     )  # fmt: skip
     np.testing.assert_allclose(wide, thin, atol=1e-12)
@@ -108,7 +102,7 @@ def test_coincident_points_and_lines_show_nothing_false(points):
     for step in range(6):
         fig["step"] = step
         assert fig.picture().axes
-    assert all(np.isfinite(values).all() for _, values in outputs(fig))
+    assert all(np.isfinite(values).all() for _, values in shown_marks(fig))
 
 
 def test_the_properties_are_those_of_a_cubic():

@@ -6,13 +6,11 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from numeric import Tape
 from symbolic import BadValue, bernstein, check_blossom
 from symbolic import blossom as blossom_of
-from tests.widgets.test_explore_continuity import inputs
+from tests.widgets.explored import inputs, outputs
 from widgets import explore
 from widgets.explore.blossom import known_mistakes
-from widgets.extent import evaluate
 
 t = sp.Symbol("t")
 CUBIC = t**3 - 6 * t**2 + 3 * t
@@ -25,10 +23,6 @@ def oracle(fig):
     return blossom_of(
         [sum(f * row[k] for f, row in zip(functions, rows, strict=True)) for k in (0, 1)], t, 3
     )
-
-
-def outputs(fig):
-    return evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
 
 
 @pytest.mark.parametrize("arguments", [(1, 2, 3), (0, 4, 0), (2, 2, 2), (0.625, 3.5, 1.25)])

@@ -3,20 +3,16 @@
 import numpy as np
 import pytest
 
-from numeric import Curve, Tape
+from numeric import Curve
 from symbolic import BadValue
+from tests.widgets.explored import outputs
 from widgets import explore
-from widgets.extent import evaluate
 
 DRAGGED = {
     "simple": [1, 2, 3], "uneven": [0.125, 0.25, 3.5], "double": [1, 2, 2], "triple": [2, 2, 2],
     "at the start": [0, 0, 1], "at the end": [1, 4, 4], "all at the end": [4, 4, 4],
     "pulled over": [3, 1, 2], "outside": [-2, 2, 9],
 }  # fmt: skip
-
-
-def outputs(fig):
-    return evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
 
 
 def drag(fig, knots):

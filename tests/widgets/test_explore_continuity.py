@@ -7,29 +7,8 @@ import pytest
 import sympy as sp
 
 from symbolic import BadValue, continuity_at
+from tests.widgets.explored import inputs, verdicts
 from widgets import explore
-
-
-def inputs(fig):
-    """Return the figure's inputs by the names of the tape."""
-    named = {s["name"]: fig[s["name"]] for s in fig.scene["sliders"]}
-    for group in fig.scene["points"]:
-        for i, (x, y) in enumerate(fig[group["name"]]):
-            named |= {f"{group['name']}{i}_x": x, f"{group['name']}{i}_y": y}
-    return {name: float(value) for name, value in named.items()}
-
-
-def verdicts(fig, checker):
-    """Return {label: whether its residuals are zero}, as the browser computes them."""
-    told = {}
-    for mark in fig.scene["marks"]:
-        if mark["kind"] == "statement":
-            outputs = {"answer": mark["tape"]["outputs"]["residuals"]}
-            question = {"tape": {**mark["tape"], "outputs": outputs}, "variables": [],
-                        "mistakes": [], "hint": ""}  # fmt: skip
-            told[mark["label"]] = checker(question, "0, 0", inputs(fig))["right"]
-    return told
-
 
 JOINTS = {
     "not even G^1": [[5, 3], [6, 3], [8, 3], [9, 5]],

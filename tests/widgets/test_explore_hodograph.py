@@ -4,32 +4,25 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from numeric import Tape
 from symbolic import BadValue, de_casteljau
-from tests.widgets.test_explore_continuity import inputs
+from tests.widgets.explored import inputs, shown_marks
 from widgets import explore
-from widgets.extent import evaluate
 
 S_SHAPE = [[0, 0], [5, 5], [2, 4], [8, 1]]
 t = sp.Symbol("t")
 
 
-def outputs(fig):
-    found = evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
-    return [(mark, found[mark["output"]]) for mark in fig.scene["marks"]]
-
-
 def labelled(fig, label, view=0):
     """Return the points of dots with a label."""
     return [
-        values[0] for mark, values in outputs(fig)
+        values[0] for mark, values in shown_marks(fig)
         if mark["kind"] == "dots" and mark["labels"] == [label] and mark["view"] == view
     ]  # fmt: skip
 
 
 def circle(fig):
     return next(
-        values[:, 0] for mark, values in outputs(fig)
+        values[:, 0] for mark, values in shown_marks(fig)
         if mark["kind"] == "path" and mark["axis"] is not None and mark["color"] == "accent"
     )  # fmt: skip
 
@@ -43,7 +36,7 @@ def derivatives(points, at):
 def test_readouts_and_circle_are_those_of_the_derivatives(at):
     c, v, a = derivatives(S_SHAPE, sp.Rational(at))
     fig = explore.hodograph(S_SHAPE, t=at)
-    told = {m["label"]: values for m, values in outputs(fig) if m["kind"] == "readout"}
+    told = {m["label"]: values for m, values in shown_marks(fig) if m["kind"] == "readout"}
     curvature = (v[0] * a[1] - v[1] * a[0]) / np.hypot(*v) ** 3
     np.testing.assert_allclose(told["c'(t)"], v)
     np.testing.assert_allclose(told["speed |c'(t)|"], np.hypot(*v))

@@ -4,14 +4,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from numeric import Curve, Tape
+from numeric import Curve
 from symbolic import BadValue, interpolating_spline
+from tests.widgets.explored import outputs
 from widgets import explore
-from widgets.extent import evaluate
-
-
-def outputs(fig):
-    return evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
 
 
 def curves(fig, step, color="curve"):

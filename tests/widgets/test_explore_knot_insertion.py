@@ -5,17 +5,16 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from numeric import Curve, Tape
+from numeric import Curve
 from symbolic import BadValue, BSpline
-from tests.widgets.test_explore_continuity import inputs
+from tests.widgets.explored import inputs, outputs
 from widgets import explore
 from widgets.explore.knot_insertion import KNOTS
-from widgets.extent import evaluate
 
 
 def paths(fig, since):
     """Return the polylines that appear at a step."""
-    found = evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
+    found = outputs(fig)
     return [found[m["output"]] for m in fig.scene["marks"]
             if m["kind"] == "path" and m["axis"] is None and m["from"] == since]  # fmt: skip
 
@@ -40,7 +39,7 @@ def test_bezier_points_and_the_curve_are_the_splines():
     curve = Curve.from_bspline(fig["d"], KNOTS, 3)
     (bezier,) = paths(fig, 4)
     np.testing.assert_allclose(bezier, curve.points.reshape(-1, 2), atol=1e-13)
-    drawn = evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
+    drawn = outputs(fig)
     (swept,) = [drawn[m["output"]] for m in fig.scene["marks"] if m.get("axis") is not None]
     u = np.linspace(0, 1, len(swept))
     for span in range(4):

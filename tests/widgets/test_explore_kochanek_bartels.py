@@ -3,11 +3,9 @@
 import numpy as np
 import pytest
 
-from numeric import Tape
 from symbolic import BadValue
-from tests.widgets.test_explore_continuity import inputs, verdicts
+from tests.widgets.explored import inputs, outputs, verdicts
 from widgets import explore
-from widgets.extent import evaluate
 
 SETTINGS = [(0, 0, 0), (0.5, 0, 0), (0.25, -0.5, 0.75), (-1, 1, 1), (1, 0.5, -1), (0, -1, 0)]
 
@@ -16,10 +14,6 @@ def at(settings, *points):
     fig = explore.kochanek_bartels(*points)
     fig["T"], fig["C"], fig["B"] = settings
     return fig
-
-
-def outputs(fig):
-    return evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
 
 
 def marks(fig, kind):

@@ -4,15 +4,10 @@ import numpy as np
 import pytest
 import sympy as sp
 
-from numeric import Curve, Tape
+from numeric import Curve
 from symbolic import BadValue, RationalBezier
-from tests.widgets.test_explore_continuity import inputs
+from tests.widgets.explored import inputs, outputs
 from widgets import explore
-from widgets.extent import evaluate
-
-
-def outputs(fig):
-    return evaluate(fig.scene, fig.values, Tape.from_json(fig.scene["tape"]))
 
 
 def test_the_curve_is_the_rational_one():
