@@ -7,11 +7,10 @@ from typing import Any
 import sympy as sp
 
 from numeric import quotient_or_zero as ratio
-from symbolic.errors import BadValue
 
 from ..figure import Figure
 from ..scene import Scene
-from .control_points import control_points
+from .control_points import so_many_points
 
 POINTS = ((0, 0), (0.5, 3), (2.5, 4), (4, 1), (6, 0), (7.5, 3), (9, 1))
 KNOTS = (1, 2, 3)
@@ -48,9 +47,7 @@ def bspline(points: Any = POINTS, t: Any = 2.5) -> Figure:
     >>> sorted(fig.values)
     ['d', 'step', 't', 'u']
     """
-    rows = control_points(points)
-    if len(rows) != 7:
-        raise BadValue("seven control points", f"{len(rows)}", "Three inner knots go with them.")
+    rows = so_many_points(points, 7, "seven control points", "Three inner knots go with them.")
     scene = Scene(
         "B-spline and its knots",
         "A cubic B-spline curve with seven control points, its basis functions over three "

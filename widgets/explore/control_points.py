@@ -30,12 +30,17 @@ def control_points(points: Any) -> np.ndarray:
     return rows
 
 
+def so_many_points(points: Any, count: int, expected: str, hint: str) -> np.ndarray:
+    """Return control points in the plane, exactly `count` of them."""
+    rows = control_points(points)
+    if len(rows) != count:
+        raise BadValue(expected, f"{len(rows)}", hint)
+    return rows
+
+
 def cubic_points(points: Any) -> np.ndarray:
     """Return the four control points of a cubic in the plane, shape (4, 2)."""
-    rows = control_points(points)
-    if len(rows) != 4:
-        raise BadValue("four control points of a cubic", f"{len(rows)}", "Elevate the degree.")
-    return rows
+    return so_many_points(points, 4, "four control points of a cubic", "Elevate the degree.")
 
 
 def unit_parameter(t: Any) -> float:

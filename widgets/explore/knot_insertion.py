@@ -7,12 +7,11 @@ from typing import Any
 import sympy as sp
 
 from symbolic import BSpline, de_casteljau
-from symbolic.errors import BadValue
 
 from ..figure import Figure
 from ..scene import Scene
 from .bspline import POINTS, de_boor_levels
-from .control_points import control_points
+from .control_points import so_many_points
 
 KNOTS = [0, 0, 0, 0, 1, 2, 3, 4, 4, 4, 4]
 DEGREE, SPAN = 3, 4  # the new knot lies in [u_4, u_5] = [1, 2]
@@ -44,9 +43,7 @@ def knot_insertion(points: Any = POINTS, t: Any = 1.5) -> Figure:
     >>> len(fig.scene["steps"])
     5
     """
-    rows = control_points(points)
-    if len(rows) != 7:
-        raise BadValue("seven control points", f"{len(rows)}", "They go with eleven knots.")
+    rows = so_many_points(points, 7, "seven control points", "They go with eleven knots.")
     scene = Scene(
         "Knot insertion",
         "A cubic B-spline curve, its control polygon, and the polygon after a knot t between 1 and "

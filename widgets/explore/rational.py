@@ -7,11 +7,10 @@ from typing import Any
 import sympy as sp
 
 from symbolic import bernstein, de_casteljau
-from symbolic.errors import BadValue
 
 from ..figure import Figure
 from ..scene import Scene
-from .control_points import control_points, unit_parameter
+from .control_points import so_many_points, unit_parameter
 
 CONIC = ((6, 0), (4, 4), (1, 1))
 STEPS = (
@@ -41,9 +40,7 @@ def rational(points: Any = CONIC, t: Any = 0.5) -> Figure:
     >>> sorted(fig.values)
     ['P', 'step', 't', 'w0', 'w1', 'w2']
     """
-    rows = control_points(points)
-    if len(rows) != 3:
-        raise BadValue("three control points", f"{len(rows)}", "A conic has degree 2.")
+    rows = so_many_points(points, 3, "three control points", "A conic has degree 2.")
     scene = Scene(
         "Rational quadratics and conics",
         "A rational quadratic Bezier curve with its weights, and beside it the curve of "
